@@ -82,6 +82,7 @@ from restitution.planning.unfinished import (
 )
 from restitution.planning.unreached import write_unreached
 from restitution.planning.writing import place_trees
+from restitution.planning.writing.angles_of_paths import with_angles_of_paths
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.conjugates import with_conjugates
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
@@ -167,6 +168,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
         *(with_values_first, with_known_directions, with_complements, with_conjugates),
+        with_angles_of_paths,
     ):
         shorter = shortened(whole, oracle)
         whole = whole if shorter is whole else pruned(shorter)

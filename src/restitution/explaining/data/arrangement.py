@@ -290,7 +290,7 @@ class Arrangement:
             )
         except NotComparableError:
             return by_places or False
-        oracle = Oracle(world.roles)
+        oracle = Oracle(world.roles, self.bounds_of_all)
         onward = oracle.decide(compared(value, ">=", 0)).answer
         if oracle.proves(compared(value, "<=", 0)):
             self._towards[number] = oracle.proves(compared(value, "<", 0))

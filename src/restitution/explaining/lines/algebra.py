@@ -54,11 +54,13 @@ class World(Angles):
     ``roles`` says what a letter of the statement may be; ``vectors`` and ``angles`` name letters
     that are such. ``directions`` gives the vector along which an axis, a wall or a vector letter
     points: what is cited of these. What is ``opaque`` is a generator, whatever is known of it.
+    Vectors are resolved along ``base`` and at right angles to it, where that is not **i**.
     """
 
     vectors: frozenset[str] = frozenset()
     directions: Mapping[Expression, Expression] = field(default_factory=dict)
     opaque: frozenset[Expression] = frozenset()
+    base: Expression | None = None
     _values: dict[Expression, Value] = field(default_factory=dict)
 
     # --- values ----------------------------------------------------------------------------------
@@ -90,10 +92,9 @@ class World(Angles):
                     return self._measure(tree)
                 return self.generator(("letter", name))
             case Unit(axis):
-                one, nothing = CONSTANT(1), CONSTANT(0)
-                return Plane(one, nothing) if axis == "i" else Plane(nothing, one)
+                return self._at_angle(Turn((), Fraction(0 if axis == "i" else 90)))
             case Pair(x, y):
-                return Plane(self.scalar(x), self.scalar(y))
+                return self._of_components(self.scalar(x), self.scalar(y))
             case Polar():
                 return self._polar(tree)
             case Negate(operand):
@@ -107,6 +108,13 @@ class World(Angles):
             case Name():
                 return self.direction(tree) or self._plane(tree)
         raise NotComparableError(repr(tree))
+
+    def _of_components(self, x: Quotient, y: Quotient) -> Plane:
+        """The vector of two components along **i** and **j**."""
+        if self.base is None:
+            return Plane(x, y)
+        i, j = (self._at_angle(Turn((), Fraction(degrees))) for degrees in (0, 90))
+        return Plane(self.reduced(x * i.x + y * j.x), self.reduced(x * i.y + y * j.y))
 
     def _plane(self, tree: Expression) -> Plane:
         return Plane(self.generator(("x", tree)), self.generator(("y", tree)))
@@ -187,16 +195,18 @@ class World(Angles):
 
     def _polar(self, tree: Polar) -> Plane:
         size = self.scalar(tree.size)
-        unit = self._at_angle(self.turn(tree.angle))
+        turn = self.turn(tree.angle)
+        if tree.wall is None and tree.origin is not None and self.is_angle(tree.origin):
+            turn += self.turn(tree.origin)
+        elif tree.wall is not None or tree.origin is not None:
+            turn += self._turn_of_base()  # it is not measured from **i**
+        unit = self._at_angle(turn)
         cosine, sine = unit.x, unit.y
         if tree.wall is not None:
             along = self.unit(Quantity("direction", (tree.wall,)))
             x, y = along.x * cosine + along.y * sine, along.y * cosine - along.x * sine
-        elif tree.origin is None:
+        elif tree.origin is None or self.is_angle(tree.origin):
             x, y = cosine, sine
-        elif self.is_angle(tree.origin):
-            turned = self._at_angle(self.turn(tree.angle) + self.turn(tree.origin))
-            x, y = turned.x, turned.y
         else:
             from_ = self.unit(tree.origin)
             x, y = from_.x * cosine - from_.y * sine, from_.x * sine + from_.y * cosine
@@ -249,8 +259,13 @@ class World(Angles):
                 return direction
         return self.value(tree)
 
+    def _turn_of_base(self) -> Turn:
+        """The angle from **i** of the direction along which vectors are resolved."""
+        return Turn() if self.base is None else self.turn(self.base)
+
     def _at_angle(self, turn: Turn) -> Plane:
         """The unit vector at an angle; one at right angles to another is that one turned."""
+        turn += self._turn_of_base() * Fraction(-1)
         if not turn.terms or turn.degrees % 90:
             return Plane(*self.cos_sin(turn))
         x, y = self.cos_sin(Turn(turn.terms))

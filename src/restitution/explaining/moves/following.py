@@ -76,6 +76,25 @@ def _follows(step: Step, relation: Relation) -> bool:
     """Whether a relation is what the move makes of what is cited, as its angles stand."""
     if step.move.record == "either-side":
         return _on_either_side(step, relation)
+    if _follows_along(step, relation):
+        return True
+    return any(_follows_along(own, relation) for own in _along_slanting_lines(step))
+
+
+def _along_slanting_lines(step: Step) -> Iterator[Step]:
+    """The step with all vectors resolved along a line that is cited by its angle.
+
+    A path at 50° makes an angle of 20° with a line at 30°, in degrees and in letters.
+    """
+    if step.move.id not in ("law", "define") or step.base is not None:
+        return
+    angle = step.world.directions.get(Quantity("line_of_centres", (), step.move.event))
+    if angle is not None and step.world.is_angle(angle):
+        yield step.under(base=angle)
+
+
+def _follows_along(step: Step, relation: Relation) -> bool:
+    """Whether a relation is what the move makes of what is cited, along the axes of a step."""
     if (step.move.id, step.move.record) == ("define", "speed"):
         relation = as_squares(relation) or relation
     if step.move.id == "put" and (case := condition(relation)) is not None:

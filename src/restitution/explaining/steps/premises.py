@@ -74,6 +74,8 @@ class Premises:
     known: tuple[Known, ...]
     opaque: frozenset[Expression] = frozenset()
     identities: frozenset[Identity] = frozenset()
+    base: Expression | None = None
+    """A direction told by its angle, along which vectors are resolved instead of **i**."""
 
     # --- the world of what is cited -------------------------------------------------------------
 
@@ -102,6 +104,7 @@ class Premises:
             directions=_without_circles(self._directions()),
             identities=self.identities,
             opaque=self.opaque,
+            base=self.base,
             nonnegative=frozenset(self._nonnegative()),
         )
         world.turns = _without_circles(self._turns(world))

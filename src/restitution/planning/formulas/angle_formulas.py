@@ -110,7 +110,9 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     trees = []
     for source in (above, below):
         tree = tree_of(source.value)
-        trees.append(negative(tree) if scene.model.sign(source.value) < 0 else tree)
+        if scene.model.sign(source.value) < 0:
+            tree = negative(tree) if isinstance(tree, Negate) else tree_of(-source.value)
+        trees.append(tree)
     if is_zero(trees[1]):
         raise NotPlannedError("a right angle")
     value = tidy(above.value / below.value)

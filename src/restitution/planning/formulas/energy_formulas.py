@@ -34,6 +34,7 @@ from restitution.planning.formulas.velocity_formulas import (
     known_speed,
     known_vector,
     parts,
+    shown_square,
     speed_formula,
     squares,
     velocity_source,
@@ -362,6 +363,9 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         return by_speeds
     if event not in scene.model.frames:
         return _lost_by_velocities(scene, quantity, event)
+    by_shown = _lost_by_squares(scene, quantity, event, partial(_square_that_was_shown, scene))
+    if by_shown is not None and _follows(scene, by_shown):
+        return by_shown
     frame = scene.frame(event)
     if len(scene.spheres(event)) == 1 and _is_open(scene, scene.spheres(event)[0], frame):
         by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
@@ -402,6 +406,24 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     if first is not None:
         return Formula(move, itself, quantity, first, value, pool, whole)
     return Formula(move, itself, quantity, whole, value, pool)
+
+
+def _square_that_was_shown(scene: Scene, body: str, stage: int) -> _Square | None:
+    """The square of a speed that was to be shown; at the start, of one that the data give."""
+    last = scene.last_event(body, stage)
+    if not last:
+        given = _given_speed(scene, body, stage)
+        return None if given is None else (square(tree_of(given.value)), given.value**2, given.refs)
+    shown = shown_square(scene, body, last)
+    if shown is not None:
+        return tree_of(shown.value), shown.value, shown.refs
+    speed = scene.desk.known(Quantity("speed", (Name(body),), last))
+    lines = () if speed is None else numbers_in(speed.refs)
+    if speed is None or not any(end.shown and end.line in lines for end in scene.desk.ends):
+        return None
+    value, refs = scene.put(speed.value)
+    squared = tidy(value**2)
+    return tree_of(squared), squared, together(speed.refs, refs)
 
 
 def _square_of_vector(scene: Scene, body: str, stage: int) -> _Square:

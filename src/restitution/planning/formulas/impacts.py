@@ -50,7 +50,12 @@ from restitution.planning.formulas.settled import settled
 from restitution.planning.formulas.square_impacts import component_at_right_angles
 from restitution.planning.formulas.unknown_lines import law_by_vectors
 from restitution.planning.writing.circles import chord_from, from_centre
-from restitution.planning.writing.degrees import by_degrees, on_a_chord_by_degrees, share_by_degrees
+from restitution.planning.writing.degrees import (
+    angle_to_the_line,
+    by_degrees,
+    on_a_chord_by_degrees,
+    share_by_degrees,
+)
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     ONE,
@@ -113,6 +118,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         )
         # Of a direction in letters a sum of its ratios has to be seen: −v(cos θ + sin θ)/√2.
         in_a_line |= any(addend.has(sp.cos, sp.sin) for addend in value.atoms(sp.Add))
+        # One by the angle of its path with the line is read off: u cos(α − β).
+        in_a_line &= form is None or angle_to_the_line(scene, body, frame) is None
         if frame.is_slanted and in_a_line:
             initial = initial_as_a_line(scene, body) if form is None else initial
             return by_scalar_product(scene, tree, initial, frame, direction, form)

@@ -10,10 +10,11 @@ import sympy as sp
 from restitution.exact import tidy, tidy_angle
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.definitions.next_walls import made_of
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, Showing
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -154,7 +155,7 @@ def component_by_angle(
 
     None where its angle to the wall is not exact, or its speed does not stand.
     """
-    if frame.wall is None or circle_of(scene, frame.number) is not None or value == 0:
+    if frame.wall is None or circle_of(scene, frame.number) is not None:
         return None
     mark = scene.desk.mark()
     source = _by_angle(scene, kind, body, stage, frame, value)
@@ -171,11 +172,15 @@ def _by_angle(
     speed = None if angle is None else _speed(scene, body, stage)
     if speed is None or angle is None:
         return None
+    if (tidy(value) == 0) != (kind == "across" and angle.value == sp.pi / 2):
+        return None
     function = "sin" if kind == "along" else "cos"
     ratio = (sp.sin if kind == "along" else sp.cos)(angle.value)
     size = speed.value * ratio
     sign = -1 if scene.model.sign(value) < 0 else 1
     form = product(tree_of(speed.value), Apply(function, tree_of(angle.value, angle=True)))
+    if angle.value == sp.pi / 2:
+        form = tree_of(tidy(size))  # it strikes the wall at right angles
     form = form if sign == 1 else negative(form)
     final = value if angle.value.is_number else sign * size
     quantity = frame.component(kind, body, stage)
@@ -187,15 +192,19 @@ def _by_angle(
     refs = scene.judge.needed(move, pool, relation, (*speed.refs, *angle.refs))
     if refs is None:
         return None
-    return scene.desk.know(quantity, final, (scene.desk.write(move, refs, relation),))
+    # Who strikes a wall at right angles has no component along it, which nobody writes down.
+    shown: Showing = "silent" if tidy(final) == 0 else "line"
+    return scene.desk.know(quantity, final, (scene.desk.write(move, refs, relation, shown),))
 
 
 def _speed(scene: Scene, body: str, stage: int) -> Source | None:
     """A speed that stands, or that at a wall with e = 1, which is the one before it."""
     speed = Quantity("speed", (Name(body),), stage)
     known = scene.desk.known(speed)
-    if known is not None or scene.coefficient(stage).value != 1:
+    if known is not None:
         return known
+    if scene.coefficient(stage).value != 1:
+        return _by_what_stays(scene, speed, body, stage)
     last = scene.last_event(body, stage - 1)
     if last:
         before = scene.desk.known(Quantity("speed", (Name(body),), last))
@@ -212,6 +221,29 @@ def _speed(scene: Scene, body: str, stage: int) -> Source | None:
     if refs is None:
         return None
     return scene.desk.know(speed, before.value, (scene.desk.write(move, refs, relation),))
+
+
+def _by_what_stays(scene: Scene, speed: Quantity, body: str, stage: int) -> Source | None:
+    """A speed after a wall by the component along it and the angle with it, one of degrees."""
+    frame = scene.frame(stage)
+    stays = scene.desk.known(frame.component("across", body, stage))
+    asked = Quantity("angle", (Quantity("velocity", (Name(body),), stage), Name(frame.wall or "")))
+    angle = standing_angle(scene, asked)
+    if stays is None or angle is None or not _is_plain(scene, angle) or not angle.value.is_number:
+        return None
+    component, more = scene.put(stays.value)
+    size = -component if scene.model.sign(component) < 0 else component
+    value = tidy(size / sp.cos(angle.value))
+    if value.has(sp.Add, sp.sin, sp.cos) or scene.unknown(value):
+        return None
+    whole = Binary("/", tree_of(size), Apply("cos", tree_of(angle.value, angle=True)))
+    move = Move("define", "speed", stage, (body,))
+    relation = chain(speed, (whole, None), (tree_of(value), "rearrange"))
+    pool = together(angle.refs, stays.whole, more, frame.refs)
+    refs = scene.judge.needed(move, pool, relation, angle.refs)
+    if refs is None:
+        return None
+    return scene.desk.know(speed, value, (scene.desk.write(move, refs, relation),))
 
 
 __all__ = ["angle_to_a_wall", "component_by_angle", "standing_angle", "turn_of_wall"]

@@ -11,6 +11,7 @@ from restitution.components.telling import without_bars
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     COMPONENTS,
     Apply,
@@ -184,6 +185,8 @@ def squares(
         return tree, sum(other**2 for other in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
+    if known and (shown := shown_square(scene, body, stage)) is not None:
+        return tree_of(shown.value), shown.value, shown.refs
     speed = known_speed(scene, body, stage) if known else None
     if known and speed is None:
         speed = _speed_by_a_multiple(scene, body, stage)
@@ -194,6 +197,15 @@ def squares(
     refs = together(*(source.refs for source in own), _bridge(frame, own))
     tree = total(square(tree_of(source.value)) for source in own if source.value != 0)
     return tree, sum(source.value**2 for source in own), refs
+
+
+def shown_square(scene: Scene, body: str, stage: int) -> Source | None:
+    """The square of a speed that has been shown; None without such a line."""
+    known = scene.desk.known(square(Quantity("speed", (Name(body),), stage)))
+    if known is None:
+        return None
+    value, refs = scene.put(known.value)
+    return Source(tidy(value), together(known.refs, refs))
 
 
 def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool:
@@ -210,10 +222,16 @@ def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool
             for ratio in root.base.atoms(sp.sin, sp.cos, sp.tan)
         )
         return all(ratio.free_symbols for ratio in ratios)
-    if any(str(ref).startswith("given ") for ref in scene.desk.under(*speed.refs)):
+    if any(_is_of_the_motion(scene, ref) for ref in scene.desk.under(*speed.refs)):
         return False  # the fact that gives the speed is still to tell the components
     squared = sp.sympify(tidy(speed.value**2), strict=True)
     return all(power.exp.is_Integer or not power.free_symbols for power in squared.atoms(sp.Pow))
+
+
+def _is_of_the_motion(scene: Scene, ref: Ref) -> bool:
+    """Whether a premise is a given fact about the motion, and not about letters alone."""
+    fact = scene.facts.get(ref) if isinstance(ref, str) and ref.startswith("given ") else None
+    return fact is not None and any(map(has_quantity, trees_of(fact.relation)))
 
 
 def is_root_of_a_sum(value: object) -> bool:

@@ -11,10 +11,12 @@ from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
     Name,
+    Number,
     Quantity,
     has_quantity,
     is_binary,
@@ -214,6 +216,10 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
         case Apply("tan", Letter(name)) if f"let {name}" in scene.facts:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Apply("tan", Quantity(kind, _, int() | None)) if kind in UNSIGNED_ANGLES:
+            scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case Letter() as own if is_quantity(scene.desk.meant(own), *UNSIGNED_ANGLES):
+            scene.desk.know(own, scene.scalar(link.right), (line,))
+        case Binary("^", Quantity("speed", _, int()), Number(2)):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case left if not has_quantity(left) and not scene.lets_in(link):
             scene.desk.shown.append(line)

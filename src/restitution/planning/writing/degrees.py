@@ -7,14 +7,24 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.data.paths_and_lines import (
+    angle_between,
+    angles_between,
+    degrees_of,
+    turn_of_line,
+    turn_of_path,
+)
 from restitution.explaining.lines.derivation import Ref, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Apply,
     Degrees,
     Expression,
+    Letter,
     Name,
     Polar,
+    letters,
     walk,
 )
 from restitution.planning.writing.circles import circle_of
@@ -36,6 +46,9 @@ def by_degrees(
     if fact is None:
         return None
     (link,) = fact.relation.only
+    component = _by_the_angle_between(scene, kind, body, frame, value)
+    if component is not None:
+        return component
     if isinstance(link.right, Polar):
         size = scene.scalar(link.right.size)
     elif initial.x == 0 or initial.y == 0:
@@ -55,6 +68,64 @@ def by_degrees(
     if share is None:
         return None
     own = product(tree_of(size), share)
+    return negative(own) if scene.model.sign(value) < 0 else own
+
+
+def angle_to_the_line(scene: Scene, body: str, frame: Frame) -> Expression | None:
+    """The angle of the path at the start with a slanting wall, or line of centres.
+
+    Both are told by their angles from **i**, in degrees or in letters. It is a number of degrees,
+    or a sum or a difference that is certain to be an angle of at most 90°; None without one.
+    """
+    if not frame.is_slanted or frame.write is not None or circle_of(scene, frame.number):
+        return None
+    if frame.wall is None and _meet_again(scene, frame.number):
+        return None  # components are written in one way in the whole working
+    own = f"axis {frame.number}" if frame.wall is None else f"wall {frame.wall}"
+    path, line = turn_of_path(scene.facts.get(f"velocity {body}")), scene.facts.get(own)
+    turn = turn_of_line(line)
+    if path is None or turn is None:
+        return None
+    whole = angle_between(path, turn)
+    if whole is not None:
+        return Degrees(degrees_of(whole))
+    angles = [scene.scalar(tree) for tree in (path, turn)]
+    is_open = any(scene.unknown(angle) or scene.put(angle)[1] for angle in angles)
+    if is_open or {*letters(path), *letters(turn)} & {*scene.ratio_facts}:
+        return None  # a letter that is sought, or has a number that is put in
+    is_polar = isinstance(scene.facts[f"velocity {body}"].relation.only[-1].right, Polar)
+    for tree in angles_between(path, turn):
+        if not is_polar and not isinstance(tree, Letter):
+            continue  # beside j the sine is read off as well: u sin θ
+        angle = scene.model.in_data(scene.scalar(tree))
+        if scene.model.decide(angle, ">=", 0) and scene.model.decide(angle, "<=", sp.pi / 2):
+            return tree
+    return None
+
+
+def _meet_again(scene: Scene, number: int) -> bool:
+    """Whether a body of an impact has another one."""
+    bodies = set(scene.bodies(number))
+    others = (n for n in range(1, scene.events + 1) if n != number)
+    return any(bodies & set(scene.bodies(n)) for n in others)
+
+
+def _by_the_angle_between(
+    scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
+) -> Expression | None:
+    """A component at the start by the angle of the path with the line: u cos(α − β)."""
+    angle = angle_to_the_line(scene, body, frame)
+    initial = scene.initial(body).value
+    if angle is None or angle in (RIGHT_ANGLE, Degrees(Fraction(0))) or value == 0:
+        return None
+    right = scene.facts[f"velocity {body}"].relation.only[-1].right
+    if isinstance(right, Polar):
+        size = scene.scalar(right.size)
+    else:
+        size = initial.x + initial.y
+        size = -size if scene.model.sign(size) < 0 else size
+    function = "sin" if (frame.wall is not None) == (kind == "along") else "cos"
+    own = product(tree_of(size), Apply(function, angle))
     return negative(own) if scene.model.sign(value) < 0 else own
 
 
@@ -160,6 +231,7 @@ def on_a_chord_by_degrees(
 
 
 __all__ = [
+    "angle_to_the_line",
     "angles_in",
     "by_degrees",
     "on_a_chord_by_degrees",

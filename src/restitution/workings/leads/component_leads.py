@@ -120,7 +120,8 @@ class ComponentLeads(LinesAround):
         if event is None:
             return None
         bold = self._naming.bold
-        direction = None if bold.has_unit(event.number) else bold.direction(event.number, "across")
+        named = bold.has_unit(event.number) or bold.is_read_off(event.number)
+        direction = None if named else bold.direction(event.number, "across")
         if stage < event.number and direction is not None and self._has_across(line, axis):
             if event.wall:
                 return say("resolved-wall.before-sense", wall=event.bodies[1], axis=direction)

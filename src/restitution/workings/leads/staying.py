@@ -9,10 +9,12 @@ from restitution.explaining.lines.derivation import Derivation, Event, Line, Ref
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import Expression, Number, Pair, Quantity, Unit, is_zero
+from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.senses_at_walls import is_turned_along
 from restitution.workings.naming.sources import Sources
 
 
@@ -103,6 +105,8 @@ class Staying:
             case Quantity("along", (_, Unit() as own)):
                 return None if self._naming.at_the_wall(own) else self._naming.layout(own)
             case Quantity("across", (_, Quantity())):
+                if self._naming.bold.is_read_off(event.number):
+                    return None
                 unit: lay.Layout | None = self._naming.bold.unit(event.number, "across")
                 unit = unit or self._naming.bold.direction(event.number, "across")
                 own_ = self._naming.unit_of(event, "across")
@@ -128,6 +132,8 @@ class Staying:
         for line in lines:
             assert isinstance(line.relation, Relation)
             trees = [self._figures(link.right) for link in line.relation.only]
+            if is_turned_along(self._naming, line):
+                trees = [negative(tree) for tree in trees]
             sides = [self._naming.layout(tree) for tree in trees]
             unit = self._measures.unit(line.relation.only[0].left)
             if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):

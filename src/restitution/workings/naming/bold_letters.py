@@ -16,6 +16,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
+from restitution.explaining.data.paths_and_lines import turn_of_line, turn_of_path
 from restitution.explaining.following.trials import on_either_side
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -42,6 +43,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     is_function,
+    is_quantity,
+    is_zero,
     walk,
 )
 from restitution.oracle import REAL, Oracle, Role, compared
@@ -206,6 +209,8 @@ class BoldLetters:
         if self._directions.get(number) is None or None in map(self._free, _LETTERS):
             return False
         event = self._events[number]
+        if self.is_read_off(number):
+            return False
         if not event.wall or not self._is_told_by_the_wall(event.bodies[0]):
             return True
         # Components are written in one way in the whole working.
@@ -215,6 +220,67 @@ class BoldLetters:
             if other.wall and self._directions.get(other.number) is not None
             for body in other.bodies
         )
+
+    def is_read_off(self, number: int) -> bool:
+        """Whether components at a slanting line come of angles with it, and no vector is put
+        together of them: nobody needs a direction for them.
+
+        Of spheres one alone has a component across the line.
+        """
+        event = self._events.get(number)
+        lines = [line for line in self.derivation.lines if line.move.event == number]
+        if event is None or any(map(self._is_by_vectors, lines)):
+            return False
+        if event.wall and any(line.move.record == "component" for line in lines):
+            return True
+        if event.wall and self._is_told_by_the_wall(event.bodies[0]):
+            return all(number <= other for other, own in self._events.items() if own.wall)
+        if not event.wall and any(
+            body in own.bodies
+            for other, own in self._events.items()
+            for body in event.bodies
+            if other != number
+        ):
+            return False
+        stay = [
+            line.relation.only[-1].right
+            for line in lines
+            if line.move.record == "unchanged" and isinstance(line.relation, Relation)
+        ]
+        moving = [component for component in stay if not is_zero(component)]
+        if not event.wall and len(moving) > 1:
+            return False
+        return any(self._is_told_by_its_angle(body, event) for body in event.bodies) and all(
+            self._is_at_rest(body) or self._is_told_by_its_angle(body, event)
+            for body in event.bodies
+            if body in self._movers
+        )
+
+    def _is_by_vectors(self, line: Line) -> bool:
+        """Whether a vector is put together, or resolved otherwise than by its angle with a line."""
+        if line.move.record != "component":
+            return line.move.record == "assemble"
+        above = [self.derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        return not any(
+            is_quantity(own.relation.only[0].left, "angle")
+            for own in above
+            if own is not None
+            and isinstance(own.relation, Relation)
+            and own.relation.options[1:] == ()
+        )
+
+    def _is_told_by_its_angle(self, body: str, event: Event) -> bool:
+        """Whether a body comes to its first event by an angle, as the line of that has one."""
+        if any(n < event.number and body in own.bodies for n, own in self._events.items()):
+            return False
+        own = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
+        path = turn_of_path(self.derivation.fact(" ".join(("velocity", body))))
+        return path is not None and turn_of_line(self.derivation.fact(own)) is not None
+
+    def _is_at_rest(self, body: str) -> bool:
+        fact = self.derivation.fact(" ".join(("velocity", body)))
+        right = None if fact is None else fact.relation.only[-1].right
+        return isinstance(right, Pair) and is_zero(right.x) and is_zero(right.y)
 
     def is_radius_with_a_unit(self, number: int) -> bool:
         """Whether the line of an event is a radius of a circle that has a unit vector."""

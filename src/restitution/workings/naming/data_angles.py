@@ -10,15 +10,22 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
+from restitution.explaining.data.paths_and_lines import (
+    angle_between,
+    angles_between,
+    degrees_of,
+    turn_of_line,
+    turn_of_path,
+)
 from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Ref, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Polar,
@@ -29,6 +36,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import tree_of
+from restitution.render import layout as lay
 from restitution.workings.naming.quantities import Naming
 
 _ARCS = ("arctan", "arcsin", "arccos")
@@ -88,24 +96,57 @@ class DataAngles:
         of_line = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
         line_fact = self._derivation.fact(of_line)
         right = None if line_fact is None else line_fact.relation.only[-1].right
-        match fact.relation.only[-1].right, right:
-            case Polar(_, Degrees(angle), None, None), Degrees(direction):
-                pass
-            case Polar(_, Degrees(angle), None, Name(wall)), _ if not event.wall:
+        match fact.relation.only[-1].right:
+            case Polar(_, Degrees(angle), None, Name(wall)) if not event.wall:
                 yield from self._along(fact, wall, angle, right)
                 return
-            case _:
-                return
-        turn = abs(angle - direction) % 180
-        if body not in event.bodies or not direction or turn > 90 or angle < direction:
+        earlier = any(e.number < event.number and body in e.bodies for e in self._derivation.events)
+        path, turn = turn_of_path(fact), turn_of_line(line_fact)
+        if body not in event.bodies or earlier or path is None or turn is None:
+            return
+        own = self._angle(line, path, turn)
+        if own is None:
             return
         self._turned.add(fact.id)
-        link = Link(Binary("-", Degrees(angle), Degrees(direction)), "=", Degrees(turn))
-        equation = self._naming.relation(Relation(((link,),)))
         if event.wall:
-            yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=equation)
+            yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=own)
         else:
-            yield say("given.turned-centres", body=body, angle=equation)
+            yield say("given.turned-centres", body=body, angle=own)
+
+    def _angle(self, line: Line, path: Expression, turn: Expression) -> lay.Layout | None:
+        """The angle of a path with a line, as it is worked out; None where nobody needs it."""
+        if turn == Degrees(Fraction(0)):
+            return None
+        whole = angle_between(path, turn)
+        if whole is not None:
+            value = degrees_of(whole)
+            if value in (0, 90):
+                return None
+            if isinstance(whole, Degrees):
+                return self._naming.layout(whole)
+            link = Link(whole, "=", Degrees(value))
+            return self._naming.relation(Relation(((link,),)))
+        written = {
+            node.argument
+            for tree in trees_of(line.relation)
+            for node in walk(tree)
+            if isinstance(node, Apply)
+        }
+        if line.move.id != "law" or self._is_found(path) or self._is_found(turn):
+            return None
+        angles = [tree for tree in angles_between(path, turn) if tree in written]
+        return self._naming.layout(angles[0]) if len(angles) == 1 else None
+
+    def _is_found(self, angle: Expression) -> bool:
+        """Whether lines, or a fact, tell a letter of an angle, or a ratio of it."""
+        relations = [
+            *(line.relation for line in self._derivation.lines),
+            *(fact.relation for fact in self._derivation.facts),
+        ]
+        firsts = [own.options[0][0] for own in relations if isinstance(own, Relation)]
+        sides = {link.left for link in firsts if link.sign == "="}
+        names = letters(angle)
+        return any(letters(side) & names for side in sides if isinstance(side, Apply | Letter))
 
     def _along(
         self, fact: Fact, wall: str, angle: Fraction, line: Expression | None

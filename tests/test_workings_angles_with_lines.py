@@ -1,0 +1,90 @@
+"""Workings at a wall or a line of centres that is told by its angle, and by results shown above."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from restitution.explaining.following.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.story.letters import roles
+from restitution.workings import explain
+
+SAYS = {
+    "a wall in degrees": (
+        "wall W: along 20°\nsphere P: mass 2, velocity 5 at 60°\nP hits W: e = 1/2\nfind speed(P)",
+        ("P moves at 60° − 20° = 40° to W.", "the component stays 5 cos 40°", "(5/2) sin 40°"),
+    ),
+    "a wall in letters": (
+        (
+            "wall W: along beta\nsphere P: mass m, velocity u at alpha\ngiven alpha > beta\n"
+            "P hits W\nfind speed(P), impulse"
+        ),
+        (
+            "P moves at α − β to W.",
+            "the component stays u cos(α − β)",
+            "component of 𝐯_P away from W = eu sin(α − β)",
+        ),
+    ),
+    "a line of centres in letters": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+            "A hits B: along beta\ngiven alpha > beta\nfind speed(A)"
+        ),
+        ("A moves at α − β to the line of centres.", "mu cos(α − β) = mv + mw"),
+    ),
+    "two spheres in degrees": (
+        (
+            "sphere A: mass 2, velocity 5 at 70°\nsphere B: mass 3, at rest\n"
+            "A hits B: along 30°, e = 1/2\nfind speed(A), speed(B)"
+        ),
+        ("A moves at 70° − 30° = 40° to the line of centres.", "2 × 5 cos 40° = 2v + 3w"),
+    ),
+    "an angle that was shown": (
+        (
+            "wall AB: along i\nwall BC: along 75°\nsphere P: mass m, velocity u at 60° to AB\n"
+            "P hits AB: e = 1/3\npart a\nshow angle(velocity(P), AB) = 30°\npart b\n"
+            "P hits BC: e = 1/2\nfind speed(P)"
+        ),
+        (
+            "With β from part (a): angle between 𝐯₁ and BC = 75° − 30° = 45°",
+            "(u/2)/cos 30° = √3 u/3",
+            "(√3 u/3) sin 45° = √6 u/6",
+        ),
+    ),
+    "a speed that was shown": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\ngiven tan(alpha) = 2\n"
+            "P hits W\npart a\nshow speed(P) = u sqrt((1 + 4e^2)/5)\npart b\nfind energy_lost"
+        ),
+        ("with the speed of P from part (a): kinetic energy lost = ½mu² − ½m(u²(1 + 4e²)/5)",),
+    ),
+    "the square of a speed that was shown": (
+        (
+            "sphere A: mass m, velocity u at 60°\nsphere B: mass m, at rest\nA hits B: along i\n"
+            "part a\nshow speed(A)^2 = u^2 (13 - 2e + e^2)/16\npart b\nfind energy(A)"
+        ),
+        ("kinetic energy of A = ½m(u²(13 − 2e + e²)/16)",),
+    ),
+}
+
+
+@cache
+def _working(text: str) -> str:
+    """A printed working, every line of which the follower accepts, with single spaces."""
+    solution = solve(parse(text))
+    assert follow(plan(solution), Oracle(roles(solution.problem))) == ()
+    return " ".join(str(explain(solution)).split())
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_it_begins_from_the_angle_or_the_result(name: str) -> None:
+    statement, phrases = SAYS[name]
+    working = _working(statement)
+    for phrase in phrases:
+        assert phrase in working
+    assert "𝐧" not in working
