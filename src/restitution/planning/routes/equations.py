@@ -9,7 +9,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move
-from restitution.expression.tree import Apply, Binary, Name, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Letter,
+    Name,
+    Quantity,
+    has_quantity,
+    letters,
+)
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.impulse_formulas import body_of_impulse
 from restitution.planning.journeys import paths, rounds
@@ -21,6 +29,8 @@ from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.polynomials import expanded, factor_powers, one_fraction
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.records import dataclass
+
+_OF_WHAT_IS_SHOWN, _OF_A_NUMBER = 0.3, 0.2
 
 SHOWN = "shown "
 """How the ids of lines that were to be shown begin."""
@@ -145,7 +155,7 @@ class Equations:
         for number in self.scene.desk.shown:
             if self.scene.desk.holds(number) and not _is_of_a_sum(self.scene, number):
                 gap = residual(self.scene, number)
-                yield Candidate(f"{SHOWN}{number}", 0.3, (gap,))
+                yield Candidate(f"{SHOWN}{number}", _OF_WHAT_IS_SHOWN, (gap,))
 
     def _holds(self, own: Candidate) -> bool:
         """Whether an equation tells nothing new: with what is known it holds of itself."""
@@ -159,6 +169,9 @@ class Equations:
         if equation.link.sign == "=" and place_trees.is_about_times(equation.link):
             return replace(own, residuals=paths.residuals(self.scene, equation.link))
         match equation.link:
+            case Link(Letter(), "=", right) if not (letters(right) or has_quantity(right)):
+                # What is given as a number is not worked out from what was shown.
+                return replace(own, cost=min(own.cost, _OF_A_NUMBER))
             case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
                 if stage in self.scene.model.frames:
                     frame = self.scene.model.frames[stage]
