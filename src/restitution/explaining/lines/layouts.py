@@ -200,7 +200,9 @@ class Forms:
             case Binary(
                 "/",
                 Binary("+" | "-"),
-                Apply("sqrt") | Binary("*", Number() | Apply("sqrt"), Apply("sqrt")),
+                Apply("sqrt")
+                | Binary("*", Number() | Apply("sqrt"), Apply("sqrt"))
+                | Binary("*", Binary("*", Number(), Apply("sqrt")), Apply("sqrt")),
             ):
                 return node  # a scalar product by the lengths of vectors, a vector by its own
             case Binary("/", left, right) if _root_below(right):
