@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -87,6 +88,9 @@ def _along_slanting_lines(step: Step) -> Iterator[Step]:
     A path at 50° makes an angle of 20° with a line at 30°, in degrees and in letters.
     """
     if step.move.id not in ("law", "define") or step.base is not None:
+        return
+    lefts = [link.left for link in step.links]
+    if not any(is_quantity(left, "velocity") and left.stage == 0 for left in lefts):
         return
     angle = step.world.directions.get(Quantity("line_of_centres", (), step.move.event))
     if angle is not None and step.world.is_angle(angle):
