@@ -292,8 +292,7 @@ class Chains:
         for n in range(len(sides) - 1, 0, -1):
             if any(sides[n] is layout for layout in idle.values()):
                 del sides[n], signs[n - 1]
-        if idle:
-            without_doubles(sides, signs)
+        without_doubles(sides, signs)
         for n in idle:
             self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
         rounded = is_plain(sides[-2]) or _is_multiple(sides[-2])

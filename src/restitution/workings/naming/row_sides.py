@@ -21,10 +21,11 @@ def turned_side(side: lay.Layout) -> lay.Layout | None:
 
 
 def without_doubles(sides: list[lay.Layout], signs: list[str]) -> None:
-    """Leaves out what stands on a side as on the one before it."""
+    """Leaves out what stands on a side as on one before it, and what leads back to that."""
     for n in range(len(sides) - 1, 1, -1):
-        if sides[n] == sides[n - 1]:
-            del sides[n], signs[n - 1]
+        first = sides.index(sides[n], 1) if n < len(sides) else n
+        if first < n:
+            del sides[first + 1 : n + 1], signs[first:n]
 
 
 def are_values(relation: Relation) -> bool:
