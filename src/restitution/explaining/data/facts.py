@@ -556,6 +556,8 @@ class FactsOf(Arrangement):
             self._direction(self.settled(side, events), events)
             for side in (relation.left, relation.right)
         )
+        if isinstance(b, Negate) and isinstance(b.operand, Unit):
+            b, sign = b.operand, ">" if sign == "<" else "<"
         left = Quantity("along" if isinstance(b, Unit) else "dot", (a, b))
         return Link(left, sign, Number(Fraction(0)))
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Binary, Name, Quantity
+from restitution.expression.tree import Binary, Name, Negate, Quantity
 from restitution.planning.formulas.whereabouts import standing, start, velocity
 from restitution.planning.journeys.flights import time_since
 from restitution.planning.writing.desk import Source, chain, together
@@ -46,7 +46,10 @@ def time_of_closing(
         gap, above, refs = apart.value, tree_of(apart.value), apart.refs
     if scene.unknown(gap):
         return None
-    below = total((tree_of(paces[behind].value), negative(tree_of(paces[ahead].value))))
+    terms = [tree_of(paces[behind].value), negative(tree_of(paces[ahead].value))]
+    if isinstance(swept(terms[0]), Negate) and not isinstance(swept(terms[1]), Negate):
+        terms.reverse()  # 1 − ½, where both go back: and not −½ + 1
+    below = total(terms)
     flight = time_since(scene, number, begin)
     value = tidy(gap / tidy(paces[behind].value - paces[ahead].value))
     right = swept(Binary("/", above, below))
