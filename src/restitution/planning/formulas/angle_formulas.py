@@ -111,7 +111,10 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     for source in (above, below):
         tree = tree_of(source.value)
         if scene.model.sign(source.value) < 0:
-            tree = negative(tree) if isinstance(tree, Negate) else tree_of(-source.value)
+            # A sum of numbers alone has its terms the other way round: (√6 − √2)u/12.
+            sums = sp.sympify(source.value, strict=True).atoms(sp.Add)
+            numbers = sums and not any(own.free_symbols for own in sums)
+            tree = tree_of(-source.value) if numbers else negative(tree)
         trees.append(tree)
     if is_zero(trees[1]):
         raise NotPlannedError("a right angle")
