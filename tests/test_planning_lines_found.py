@@ -32,7 +32,7 @@ A hits B: e = 1/2
 given angle(i, impulse(A)) = 120°
 find speed(A), impulse
 """,
-        ("line of centres and 𝐢 = 180° − 120° = 60°", "impulse = 2(43/20 + 1) = 63/10"),
+        ("line of centres and 𝐢 = 180° − 120° = 60°", "impulse = 3(5/2 − ⅖) = 63/10"),
     ),
     "parallel to who was struck before": (
         """

@@ -188,9 +188,9 @@ def test_angles_are_kept_and_long_values_have_figures(statement: str, says: list
                 "A hits B: along 25°, e = 0.75\nfind velocity(A), speed(B), direction(B)"
             ),
             [
-                "= 3 cos 75° ≈ 0.7765 m s⁻¹",
-                "0.4 × 5 cos 25° + 0.6 × 0.7765 ≈ 0.4v + 0.6w",
-                "11.39 ≈ 2v + 3w",
+                "B moves at 100° − 25° = 75° to the line of centres",
+                "0.4 × 5 cos 25° + 0.6 × 3 cos 75° = 0.4v + 0.6w",
+                "v ≈ 0.5887 m s⁻¹",
                 "≈ 5𝐢 − 3.943(cos 25° 𝐢 + sin 25° 𝐣) ≈ (1.43𝐢 − 1.67𝐣) m s⁻¹",
                 "speed of B ≈ √(3.405² + 2.898²) ≈ 4.47 m s⁻¹",
                 "≈ 4.065/1.861 ≈ 2.184",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -16,6 +17,7 @@ from restitution.explaining.lines.saying import operand, say
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -30,6 +32,7 @@ from restitution.expression.tree import (
     is_zero,
     letters,
     unsigned,
+    walk,
 )
 from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
@@ -101,6 +104,8 @@ class _Draft:
     idle: dict[int, lay.Layout]
     #: Sides with figures put in, which are still to be worked out.
     worked: list[lay.Layout]
+    #: Sides in which angles of the one before are joined by a formula, with a calculator.
+    joined: list[lay.Layout]
 
 
 class Chains:
@@ -219,9 +224,15 @@ class Chains:
         worked = [
             sides[n] for n in in_figures if of_plain_angles(trees[n]) or (nested and n < len(links))
         ]
+        joined = [
+            sides[n]
+            for n in range(2, len(trees))
+            if self._figures.with_calculator
+            and _plain_angles(trees[n]) - _plain_angles(trees[n - 1])
+        ]
         signs = ["≈" if n in in_figures else sign_of(link) for n, link in enumerate(links, 1)]
         signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
-        return _Draft(line, links, trees, in_figures, sides, signs, idle, worked)
+        return _Draft(line, links, trees, in_figures, sides, signs, idle, worked, joined)
 
     def _as_asked(self, draft: _Draft, last: bool) -> None:
         """Sides that are written otherwise: zero vectors, what was typed, three figures."""
@@ -290,7 +301,7 @@ class Chains:
         self._placed(line, links, sides, signs)
         # Behind figures a value is not written once more exactly.
         for n in range(len(sides) - 1, 0, -1):
-            if any(sides[n] is layout for layout in idle.values()):
+            if any(sides[n] is layout for layout in (*idle.values(), *draft.joined)):
                 del sides[n], signs[n - 1]
         without_doubles(sides, signs)
         for n in idle:
@@ -650,6 +661,17 @@ def _is_multiple(side: lay.Layout) -> bool:
         isinstance(factor, lay.Sum | lay.Fraction | lay.Brackets | lay.Number)
         for factor in factors[1:]
     )
+
+
+def _plain_angles(tree: Expression) -> set[Fraction]:
+    """The numbers of degrees of which sines and cosines, without roots, stand in a tree."""
+    return {
+        node.argument.value
+        for node in walk(tree)
+        if isinstance(node, Apply)
+        and isinstance(node.argument, Degrees)
+        and node.argument.value % 15
+    }
 
 
 def _is_made_of_figures(tree: Expression) -> bool:

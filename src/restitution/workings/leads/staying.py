@@ -131,7 +131,10 @@ class Staying:
         values: list[tuple[str, lay.Layout]] = []
         for line in lines:
             assert isinstance(line.relation, Relation)
-            trees = [self._figures(link.right) for link in line.relation.only]
+            links = line.relation.only
+            trees = [self._figures(link.right) for link in links]
+            carried = [tree != link.right for tree, link in zip(trees, links, strict=True)]
+            signs = tuple("≈" if put else "=" for put in carried[1:])
             if is_turned_along(self._naming, line):
                 trees = [negative(tree) for tree in trees]
             sides = [self._naming.layout(tree) for tree in trees]
@@ -139,7 +142,7 @@ class Staying:
             if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
                 sides[-1] = with_unit(sides[-1], unit)
             body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
-            whole = lay.Relation(tuple(sides), ("=",) * (len(sides) - 1))
+            whole = lay.Relation(tuple(sides), signs)
             values.append((body, whole if len(sides) > 1 else sides[0]))
         axis = self._sense(lines[0], event)
         return self._title(event), self._sentence(event, values, axis)

@@ -364,7 +364,7 @@ class Figures:
         """
         if not of_plain_angles(tree):
             return False
-        quotients = [node for node in walk(tree) if isinstance(node, Binary) and node.op == "/"]
+        quotients = [node for node in walk(tree) if is_binary(node, "/")]
         return any(_is_long_fraction(node) for node in quotients) or (
             self._decimals and any(_is_multiple_of_a_ratio(node.right) for node in quotients)
         )
