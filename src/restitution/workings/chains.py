@@ -224,11 +224,11 @@ class Chains:
         worked = [
             sides[n] for n in in_figures if of_plain_angles(trees[n]) or (nested and n < len(links))
         ]
+        angles = list(map(_plain_angles, trees))
         joined = [
             sides[n]
             for n in range(2, len(trees))
-            if self._figures.with_calculator
-            and _plain_angles(trees[n]) - _plain_angles(trees[n - 1])
+            if self._figures.with_calculator and angles[n - 1] and angles[n] - angles[n - 1]
         ]
         signs = ["≈" if n in in_figures else sign_of(link) for n, link in enumerate(links, 1)]
         signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
