@@ -72,11 +72,6 @@ def has_plain_angles(tree: Expression) -> bool:
     return bool(_ratios_of_numbers(tree))
 
 
-def figures_of(tree: Expression) -> Expression | None:
-    """A number in the figures with which a working goes on; None of a very small or large one."""
-    return _in_figures(tree)
-
-
 def is_by_calculator(trees: Iterable[Expression]) -> bool:
     """Whether a working has ratios of angles such as 37°, and is so one with a calculator."""
     ratios = (ratio for tree in trees for ratio in _ratios_of_numbers(tree))
@@ -213,7 +208,7 @@ class Figures:
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        number = _in_figures(own) if self.is_carried(own) else self.in_letters(own)
+        number = figures_of(own) if self.is_carried(own) else self.in_letters(own)
         if number is not None:
             self._known[own] = number
             self._by_size.update(_by_its_size(own, number))
@@ -232,7 +227,7 @@ class Figures:
         if isinstance(tree, Negate):
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
-        own = _in_figures(tree) if self.is_of_roots(tree) else None
+        own = figures_of(tree) if self.is_of_roots(tree) else None
         return self._known.get(tree, own or tree)
 
     def again(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
@@ -247,7 +242,7 @@ class Figures:
         """
         own = unsigned(tree)
         number = next(
-            filter(partial(_same_angle, own), (_in_figures(own, n) for n in _FIGURES_OF_COSINES)),
+            filter(partial(_same_angle, own), (figures_of(own, n) for n in _FIGURES_OF_COSINES)),
             None,
         )
         if number is None:
@@ -263,13 +258,13 @@ class Figures:
         value = None if has_quantity(tree) else _scalar(tree)
         if value is None or value.free_symbols:
             return None
-        numbers = (_in_figures(tree, n) for n in _FIGURES_OF_COSINES)
+        numbers = (figures_of(tree, n) for n in _FIGURES_OF_COSINES)
         return next(filter(partial(_same_angle, tree, inverse="arctan"), numbers), None)
 
     def outcome(self, tree: Expression) -> Expression:
         """A number, or a multiple of letters by one, in figures; any other value as it is."""
         if of_plain_angles(tree):
-            return _in_figures(tree) or tree
+            return figures_of(tree) or tree
         parts = _number_and_letters(tree)
         if parts is None or parts[0].is_Rational:
             return tree
@@ -316,7 +311,7 @@ class Figures:
             worked = awkward or is_long or self._is_number_of_several(tree)
             worked = worked or (behind and _has_long_numbers(tree))
             if whole and worked and not has_unit_vector(tree):
-                number = _in_figures(tree, figures)
+                number = figures_of(tree, figures)
                 return {} if number is None else {tree: number}
             is_carried = self._is_long  # every sum of numbers is worked out
         parts = [node for node in walk(tree) if is_carried(node)]
@@ -327,7 +322,7 @@ class Figures:
         ]
         if outcome and self.has_sums_of_roots(tree) and not has_quantity(tree):
             parts.append(tree)
-        values = {part: _in_figures(part, figures) for part in parts if not letters(part)}
+        values = {part: figures_of(part, figures) for part in parts if not letters(part)}
         return {node: number for node, number in values.items() if number is not None}
 
     def has_known(self, tree: Expression) -> bool:
@@ -349,7 +344,7 @@ class Figures:
         match tree:
             case Apply("arctan", inside) if of_plain_angles(inside):
                 for known, put in self._known.items():
-                    if of_plain_angles(known) and _in_figures(known) == _in_figures(Negate(inside)):
+                    if of_plain_angles(known) and figures_of(known) == figures_of(Negate(inside)):
                         return Apply("arctan", swept(Negate(put)))
         return tree
 
@@ -508,7 +503,7 @@ def _differ(exact: Expression, put: Expression) -> bool:
     return one is not None and other is not None and one != other
 
 
-def _in_figures(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
+def figures_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
     """A number to so many figures, as a decimal; None of one that is very small or large."""
     try:
         number = _fraction(worth(tree), figures)
