@@ -426,6 +426,15 @@ def has_unit_vector(tree: Expression) -> bool:
     return any(isinstance(node, Unit) for node in walk(tree))
 
 
+EXACT_ANGLE = 15
+"""Degrees: multiples of it have ratios made of roots."""
+
+
+def quantities_in(tree: Expression) -> Iterator[Quantity]:
+    """The quantities in an expression, outer ones first, as often as they stand in it."""
+    return (node for node in walk(tree) if isinstance(node, Quantity))
+
+
 def is_rest(velocity: object) -> bool:
     """Whether a velocity is that of a body at rest."""
     return isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -17,7 +16,6 @@ from restitution.explaining.lines.saying import operand, say
 from restitution.expression.tree import (
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -32,7 +30,6 @@ from restitution.expression.tree import (
     is_zero,
     letters,
     unsigned,
-    walk,
 )
 from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
@@ -47,6 +44,7 @@ from restitution.workings.naming.figures import (
     has_plain_angles,
     is_by_calculator,
     of_plain_angles,
+    plain_angles,
 )
 from restitution.workings.naming.measured import (
     Measures,
@@ -224,7 +222,7 @@ class Chains:
         worked = [
             sides[n] for n in in_figures if of_plain_angles(trees[n]) or (nested and n < len(links))
         ]
-        angles = list(map(_plain_angles, trees))
+        angles = list(map(plain_angles, trees))
         joined = [
             sides[n]
             for n in range(2, len(trees))
@@ -661,17 +659,6 @@ def _is_multiple(side: lay.Layout) -> bool:
         isinstance(factor, lay.Sum | lay.Fraction | lay.Brackets | lay.Number)
         for factor in factors[1:]
     )
-
-
-def _plain_angles(tree: Expression) -> set[Fraction]:
-    """The numbers of degrees of which sines and cosines, without roots, stand in a tree."""
-    return {
-        node.argument.value
-        for node in walk(tree)
-        if isinstance(node, Apply)
-        and isinstance(node.argument, Degrees)
-        and node.argument.value % 15
-    }
 
 
 def _is_made_of_figures(tree: Expression) -> bool:

@@ -25,6 +25,7 @@ from restitution.explaining.lines.quotients import (
 from restitution.explaining.lines.roots import Roots
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
+    EXACT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -43,7 +44,6 @@ from restitution.records import dataclass
 Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complement", "degrees"]
 """What relates sines and cosines; "degrees" those of numbers of degrees, by multiples of 15°."""
 
-_EXACT = Fraction(15)
 
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 
@@ -269,14 +269,13 @@ class Angles(Roots):
         if degrees == 45:
             half = self._root_of_number(Fraction(1, 2))
             return half, half
-        if degrees == 15:
+        if degrees == EXACT_ANGLE:
             six, two = (self._root_of_number(Fraction(n, 16)) for n in (6, 2))
             return six + two, six - two
-        times = round(degrees / _EXACT)
-        if times and "degrees" in self.identities and degrees % _EXACT:
-            (c, s), (near, beside) = map(
-                self._plain_angle, (times * _EXACT, degrees - times * _EXACT)
-            )
+        times = round(degrees / EXACT_ANGLE)
+        if times and "degrees" in self.identities and degrees % EXACT_ANGLE:
+            exact = Fraction(times * EXACT_ANGLE)
+            (c, s), (near, beside) = map(self._plain_angle, (exact, degrees - exact))
             return self.reduced(c * near - s * beside), self.reduced(s * near + c * beside)
         key: AngleKey = (((), Fraction(0)), degrees)
         cosine, sine = self._pair(key)

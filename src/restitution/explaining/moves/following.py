@@ -26,6 +26,7 @@ from restitution.explaining.moves.values import is_attained, is_decimal
 from restitution.explaining.steps.solving import solves
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    EXACT_ANGLE,
     Binary,
     Degrees,
     Expression,
@@ -69,7 +70,7 @@ def _plain_degrees(step: Step, relation: Relation) -> Iterator[Fraction]:
     for own in (relation, *cited):
         for tree in own.trees if isinstance(own, Relation) else ():
             for node in walk(tree):
-                if isinstance(node, Degrees) and node.value % 15:
+                if isinstance(node, Degrees) and node.value % EXACT_ANGLE:
                     yield node.value
 
 

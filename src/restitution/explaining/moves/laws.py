@@ -35,7 +35,7 @@ from restitution.expression.tree import (
     is_binary,
     is_function,
     is_quantity,
-    walk,
+    quantities_in,
 )
 
 
@@ -62,7 +62,7 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
     if step.move.record != "energy-ratio":
         return templates
     spoken = _quantities(step, line)
-    return (link for link in templates if spoken.issuperset(_quantities_in(link.left)))
+    return (link for link in templates if spoken.issuperset(quantities_in(link.left)))
 
 
 def _forms(step: Step, line: Link) -> Iterator[Link]:
@@ -86,12 +86,8 @@ def _quantities(step: Step, line: Link) -> frozenset[Expression]:
         quantity
         for link in links
         for side in (link.left, link.right)
-        for quantity in _quantities_in(side)
+        for quantity in quantities_in(side)
     )
-
-
-def _quantities_in(tree: Expression) -> Iterator[Expression]:
-    return (node for node in walk(tree) if isinstance(node, Quantity))
 
 
 def _upside_down(link: Link, line: Link) -> Link | None:

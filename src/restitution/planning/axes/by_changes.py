@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Quantity,
+    has_quantity,
     letters,
     walk,
 )
@@ -238,7 +239,7 @@ def _direction(scene: Scene, tree: Expression) -> Source | None:
                 return None
             value, refs = scene.put(known.value)
             return Source(value, together(known.refs, refs))
-    if any(isinstance(node, Quantity) for node in walk(tree)):
+    if has_quantity(tree):
         return None
     return Source(scene.model.story.direction(tree, scene.events), ())
 

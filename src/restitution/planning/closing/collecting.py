@@ -17,6 +17,7 @@ from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
+    EXACT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -103,7 +104,9 @@ def _tangents(
     names -= others
     inside = {symbol for side in sides for symbol in side.free_symbols} - set(symbols)
     own: list[sp.Expr] = [symbol for symbol in inside if symbol.name in names]
-    own += [_in_radians(size) for size in names if isinstance(size, Fraction) and size % 15]
+    own += [
+        _in_radians(size) for size in names if isinstance(size, Fraction) and size % EXACT_ANGLE
+    ]
     return {angle: sp.Symbol(f"tan {angle}", positive=True) for angle in own}
 
 

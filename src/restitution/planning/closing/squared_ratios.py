@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     is_binary,
     is_function,
+    quantities_in,
     walk,
 )
 from restitution.planning.formulas.definitions import Formula
@@ -53,7 +54,7 @@ def write_by_squares(
     What is asked may be the square of a speed, or a fraction of energies; ``printed`` is the form
     that a claim has for it.
     """
-    kinds = {node.kind for node in walk(asked) if isinstance(node, Quantity)}
+    kinds = {node.kind for node in quantities_in(asked)}
     if not kinds <= {*KINDS} or scene.desk.known(asked) is not None or scene.others:
         return None
     if not _is_last(scene):
@@ -69,7 +70,7 @@ def write_by_squares(
 
 def kept_for(scene: Scene, asked: Expression) -> Iterator[sp.Symbol]:
     """The angles whose squared ratios serve what is asked, so that no ratio is put in."""
-    kinds = {node.kind for node in walk(asked) if isinstance(node, Quantity)}
+    kinds = {node.kind for node in quantities_in(asked)}
     if kinds and kinds <= {*KINDS} and _is_last(scene):
         yield from angles_by_squares(scene)
 

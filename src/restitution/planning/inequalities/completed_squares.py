@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     is_function,
     is_quantity,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.oracle.roles import Role
@@ -50,7 +51,7 @@ def write_completed(claims: Comparing, line: int, relation: Relation) -> int | N
     it in the sum.
     """
     asked = claims.scene.desk.last_link(line).left
-    kinds = {node.kind for node in walk(asked) if isinstance(node, Quantity)} - {"mass"}
+    kinds = {node.kind for node in quantities_in(asked)} - {"mass"}
     if (
         not kinds
         or not kinds <= {"speed", "energy"}

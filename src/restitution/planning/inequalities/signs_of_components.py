@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Quantity, Unit, walk
+from restitution.expression.tree import Quantity, Unit, has_quantity
 from restitution.planning.angles.scalar_angles import write_product_of_two
 from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.formulas.velocity_formulas import body_and_stage, in_the_plane
@@ -87,11 +87,7 @@ def _signed(claims: Comparing, ref: Ref) -> Iterator[Ref]:
 
 def _is_of_right_angles(claims: Comparing, link: Link) -> bool:
     """Whether a bound is a multiple of 90°."""
-    bounds = [
-        side
-        for side in (link.left, link.right)
-        if not any(isinstance(node, Quantity) for node in walk(side))
-    ]
+    bounds = [side for side in (link.left, link.right) if not has_quantity(side)]
     if link.sign not in FLIPPED or len(bounds) != 1:
         return False
     value = sp.sympify(claims.scene.scalar(bounds[0]), strict=True)

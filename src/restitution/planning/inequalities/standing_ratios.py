@@ -22,7 +22,13 @@ from restitution.explaining.lines.derivation import (
     Showing,
 )
 from restitution.expression.quantities import ENERGIES
-from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Quantity,
+    has_quantity,
+    quantities_in,
+)
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product_without, tree_of
 
@@ -84,7 +90,7 @@ def _positive(worths: Worths, quantity: Quantity) -> int | None:
 
 def _multiple(worths: Worths, side: Expression) -> tuple[Quantity, sp.Expr] | None:
     """A positive number times one quantity of the motion; None of anything else."""
-    quantities = {node for node in walk(side) if isinstance(node, Quantity)}
+    quantities = set(quantities_in(side))
     own = next((quantity for quantity in quantities if quantity.kind in _KINDS), None)
     factor = None if own is None else product_without(side, own)
     if own is None or factor is None or has_quantity(factor):

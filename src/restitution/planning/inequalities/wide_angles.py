@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Quantity,
+    has_quantity,
     walk,
 )
 from restitution.planning.angles.scalar_angles import write_cosine, write_product_as_it_stands
@@ -139,7 +140,7 @@ def _plain(claims: Comparing, side: Expression) -> Expression:
 def _is_obtuse(claims: Comparing, link: Link) -> bool:
     """Whether a bound is an angle of 90° or more."""
     for side in (link.left, link.right):
-        if not any(isinstance(node, Quantity) for node in walk(side)):
+        if not has_quantity(side):
             value = sp.sympify(claims.scene.scalar(side), strict=True)
             return bool(value.is_number and value >= sp.pi / 2)
     return False

@@ -8,7 +8,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.quantities import ENERGIES
-from restitution.expression.tree import Binary, Expression, Quantity, walk
+from restitution.expression.tree import Binary, Expression, Quantity, quantities_in
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.writing.desk import NotPlannedError, chain
@@ -52,7 +52,7 @@ def _other_side(given: GivenEquation, asked: Quantity) -> Expression | None:
                 other = Binary("+", early, right)
             case _:
                 continue
-        inside = [node for node in walk(other) if isinstance(node, Quantity)]
+        inside = list(quantities_in(other))
         if inside and asked not in inside and all(node.kind in _KINDS for node in inside):
             return other
     return None
@@ -62,7 +62,7 @@ def _write(scene: Scene, given: GivenEquation, asked: Quantity, other: Expressio
     """The value of a quantity by those of the quantities on the other side of a given equation."""
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
-    inside = dict.fromkeys(node for node in walk(other) if isinstance(node, Quantity))
+    inside = dict.fromkeys(quantities_in(other))
     for quantity in inside:
         try:
             own = formula(scene, quantity)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Link, Move, Relation
-from restitution.expression.tree import Binary, Quantity, has_quantity, walk
+from restitution.expression.tree import Binary, Quantity, has_quantity, quantities_in
 from restitution.planning.journeys import journeys
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import difference, product, product_without, swept, tree_of
@@ -18,7 +18,7 @@ def write_time_since(scene: Scene, equation: GivenEquation) -> int | None:
     """
     match equation.link:
         case Link(Quantity("time", (), int(late)) as whole, "=", right):
-            first = next((n for n in walk(right) if isinstance(n, Quantity)), None)
+            first = next(quantities_in(right), None)
         case _:
             return None
     if first is None or first != Quantity("time", (), late - 1):

@@ -10,6 +10,7 @@ from restitution.expression.tree import (
     Letter,
     Quantity,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.planning.routes.given_shares import write_given_share
@@ -70,7 +71,7 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
 
 def _is_said_by_a_fact(scene: Scene, relation: Relation) -> bool:
     """Whether a given fact says an answer by itself: then no line says it once more."""
-    asked = {node for node in walk(relation.only[0].left) if isinstance(node, Quantity)}
+    asked = set(quantities_in(relation.only[0].left))
     for equation in scene.given if asked else ():
         fact = equation.fact.relation.only[0]
         if asked <= {*walk(fact.left), *walk(fact.right)}:

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     has_quantity,
     is_quantity,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.planning.writing.desk import Source, chain, together
@@ -47,7 +48,7 @@ def quoted_ratio(scene: Scene, equation: GivenEquation) -> int | None:
     left, right = equation.link.left, equation.link.right
     match left:
         case Quantity() as one:
-            others = {node for node in walk(right) if isinstance(node, Quantity)}
+            others = set(quantities_in(right))
             other = next(iter(others)) if len(others) == 1 else None
             share = None if other is None else product_without(right, other)
         case Binary("/", Quantity() as one, Quantity() as other):

@@ -41,7 +41,7 @@ from restitution.planning.shows.shown_directions import write_aligned, write_rig
 from restitution.planning.shows.shown_equations import (
     LAST,
     ShownEquation,
-    quantities_in,
+    outermost_quantities,
 )
 from restitution.planning.writing.angle_ratios import write_other_ratio
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain
@@ -188,12 +188,11 @@ def _facts_about(scene: Scene, item: Show, now: int) -> frozenset[str]:
     """The given facts that speak of the quantity that is to be shown: it is not shown by these."""
     assert isinstance(item.relation, Compare)
     (link,) = links_of(scene.problem, item.relation, now)
-    shown = set(quantities_in(scene.opened(link).left))
+    shown = set(outermost_quantities(scene.opened(link).left))
     return frozenset(
         equation.fact.id
         for equation in scene.given
-        if shown
-        & {q for side in (equation.link.left, equation.link.right) for q in quantities_in(side)}
+        if shown & set(outermost_quantities(equation.link.left, equation.link.right))
     )
 
 

@@ -110,7 +110,7 @@ class ShownEquation(ShownAngles):
                 return line
         if (line := self._of_two_angles()) is not None:
             return line
-        quantities = list(dict.fromkeys(quantities_in(left, right)))
+        quantities = list(dict.fromkeys(outermost_quantities(left, right)))
         subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
         if subjects == quantities:
             line = shown_by_squares(self.claims.worths, self.link, quantities)
@@ -609,7 +609,7 @@ def _is_root_of_a_square(tree: Expression) -> bool:
     return False
 
 
-def quantities_in(*trees: Expression) -> Iterator[Quantity]:
+def outermost_quantities(*trees: Expression) -> Iterator[Quantity]:
     """The outermost quantities of trees."""
     for tree in trees:
         match tree:
@@ -618,4 +618,4 @@ def quantities_in(*trees: Expression) -> Iterator[Quantity]:
             case Quantity() | Letter() | Number() | Name():
                 continue
             case _:
-                yield from quantities_in(*children(tree))
+                yield from outermost_quantities(*children(tree))

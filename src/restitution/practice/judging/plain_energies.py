@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     is_function,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.practice.judging.claimed import has_value, meant_by
@@ -36,7 +37,7 @@ _COEFFICIENTS = (0.37, 0.71)
 def is_energy_of_difference(entry: Entry, world: World) -> bool:
     """Whether an energy is that of a difference of speeds of one body: ``½m(10 - 4.27)²``."""
     meant = meant_by(entry)
-    kinds = {node.kind for node in walk(meant) if isinstance(node, Quantity)}
+    kinds = {node.kind for node in quantities_in(meant)}
     if not kinds & ENERGIES:
         return False
     return any(

@@ -19,11 +19,12 @@ from restitution.expression.tree import (
     is_binary,
     is_quantity,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.marking.sides import Sides, chains, quantities_in
+from restitution.practice.marking.sides import Sides, chains
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.problem import Impact
 from restitution.records import dataclass

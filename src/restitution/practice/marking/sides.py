@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     is_function,
     is_quantity,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -575,14 +576,6 @@ def names_in(tree: Expression) -> Iterator[Expression]:
         return
     for child in children(tree):
         yield from names_in(child)
-
-
-def quantities_in(tree: Expression) -> Iterator[Quantity]:
-    """The quantities of a tree, outer ones first."""
-    if isinstance(tree, Quantity):
-        yield tree
-    for child in children(tree):
-        yield from quantities_in(child)
 
 
 def are_same(world: World, one: Value, other: Value) -> bool:

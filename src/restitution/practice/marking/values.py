@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     is_binary,
     is_function,
     is_quantity,
+    quantities_in,
     walk,
 )
 from restitution.practice.judgement import JudgedLine
@@ -39,7 +40,6 @@ from restitution.practice.marking.sides import (
     chains,
     is_fine,
     names_in,
-    quantities_in,
 )
 from restitution.practice.reading.quoted import has_data
 from restitution.practice.worlds.agreement import agrees

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     children,
     is_binary,
     is_quantity,
+    quantities_in,
     unsigned,
     walk,
 )
@@ -367,7 +368,7 @@ class _Trial:
 
     def _stage(self, tree: Quantity) -> int:
         """After which event a quantity is meant; of a component, the velocity in it."""
-        inside = [node for node in walk(tree) if isinstance(node, Quantity)]
+        inside = list(quantities_in(tree))
         stages = [
             self.now
             if quantity.stage is None

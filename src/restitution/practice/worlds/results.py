@@ -12,7 +12,7 @@ from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.explaining.mistakes.misconceptions import ResultAt, VariantAt, variants_at
 from restitution.expression.quantities import LOSSES
-from restitution.expression.tree import Expression, Letter, Quantity, walk
+from restitution.expression.tree import Expression, Letter, quantities_in, walk
 from restitution.practice.judgement import Use
 from restitution.practice.script import Claim, Decimal, Scope
 from restitution.practice.worlds.agreement import NOT, grades
@@ -91,7 +91,7 @@ def _is_meant(result: ResultAt, tried: States) -> bool:
 
 def _principle(result: Expression) -> str:
     """The principle of lines about a result; of a fraction or a difference, that of its parts."""
-    first = next(node for node in walk(result) if isinstance(node, Quantity))
+    first = next(quantities_in(result))
     return _NAMES.get(first.kind, first.kind)
 
 

@@ -20,7 +20,7 @@ from typing import Any
 
 from restitution.errors import ImpossibleError, UnsupportedError
 from restitution.expression.evaluate import Evaluator, Scalar
-from restitution.expression.tree import Binary, Expression, Name, Quantity, walk
+from restitution.expression.tree import Binary, Expression, Name, Quantity, quantities_in
 from restitution.problem import AlteredEquation, AlteredImpact, Impact
 from restitution.records import dataclass
 from restitution.solving.story import quantities
@@ -211,7 +211,8 @@ class AlteredLaws:
         """The value of the free component at which a residual vanishes, as the module says."""
         number = self.altered.number
         (equation,) = (equation for equation in self._equations if not _is_linear(equation, number))
-        kinds = {node.kind for side in (equation.left, equation.right) for node in _nodes(side)}
+        sides = (equation.left, equation.right)
+        kinds = {node.kind for side in sides for node in quantities_in(side)}
         if "energy" in kinds:
             return self._conserving(line, residual, free)
         if len(self.spheres) == 1:
@@ -428,15 +429,11 @@ def _coefficients(values: list[Scalar]) -> tuple[Scalar, Scalar, Scalar]:
     return (high + low) / 2 - middle, (high - low) / 2, middle
 
 
-def _nodes(tree: Expression) -> list[Quantity]:
-    return [node for node in walk(tree) if isinstance(node, Quantity)]
-
-
 @lru_cache(maxsize=4096)
 def _components_after(tree: Expression, number: int) -> frozenset[tuple[str, str]]:
     """The components after an event that stand in a tree."""
     components: set[tuple[str, str]] = set()
-    for node in _nodes(tree):
+    for node in quantities_in(tree):
         match node:
             case Quantity("along" | "across" as kind, (Quantity(_, (Name(name),), stage), _)):
                 if stage == number:
@@ -449,7 +446,7 @@ def _is_linear(equation: AlteredEquation, number: int) -> bool:
     return not any(
         node.kind in _AFTER and node.stage == number
         for side in (equation.left, equation.right)
-        for node in _nodes(side)
+        for node in quantities_in(side)
     )
 
 

@@ -42,7 +42,7 @@ from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.leads import Leads
-from restitution.workings.leads.lines_around import is_rest
+from restitution.workings.leads.lines_around import is_at_rest
 from restitution.workings.leads.scalar_products import slope_title
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
@@ -490,7 +490,7 @@ class GivenLeads(Leads):
                     self._given |= {given.id for given in ratios}
                     in_words = tuple(fact_in_words(self._naming, given) for given in ratios)
                     return (say("given.facts", facts=in_words),)
-                case Link(Quantity("velocity", (Name(body),)), "=") if is_rest(fact):
+                case Link(Quantity("velocity", (Name(body),)), "=") if is_at_rest(fact):
                     self._given.add(fact.id)
                     return (say("given.rest", body=body),)
         return ()
@@ -550,7 +550,7 @@ class GivenLeads(Leads):
         read: list[Fact] = []
         for ref in line.premises:
             fact = self._derivation.fact(ref)
-            if fact is None or fact.kind != "given" or fact.id in self._given or is_rest(fact):
+            if fact is None or fact.kind != "given" or fact.id in self._given or is_at_rest(fact):
                 continue
             match fact.relation.options:
                 case ((Link(Quantity("velocity"), "=", right),),) if not (

@@ -18,9 +18,9 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
     is_function,
     unsigned,
-    walk,
 )
 from restitution.render import layout as lay
 from restitution.workings.naming.quantities import Naming
@@ -181,7 +181,7 @@ class Introductions:
         if fact is None:
             return None
         axis = fact.relation.only[0].right
-        by_places = any(isinstance(node, Quantity) for node in walk(axis))
+        by_places = has_quantity(axis)
         if isinstance(axis, Polar) or by_places:
             return None
         own = unsigned(axis)

@@ -27,10 +27,10 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
-    Pair,
     Polar,
     Quantity,
     Unit,
+    is_rest,
     is_zero,
     letters,
     negated,
@@ -196,7 +196,7 @@ class LinesAround:
         """The body of a line that moves along the line of centres: by a component, or from rest."""
         for body in line.move.bodies:
             fact = self._derivation.fact(" ".join(("velocity", body)))
-            rest = fact is not None and fact.id in line.premises and is_rest(fact)
+            rest = fact is not None and fact.id in line.premises and is_at_rest(fact)
             if rest or self._standing(line).get("across") == body:
                 return body
         return None
@@ -316,12 +316,9 @@ class LinesAround:
         return bool(kinds) and all(kind != other for kind, other in kinds)
 
 
-def is_rest(fact: Fact) -> bool:
+def is_at_rest(fact: Fact) -> bool:
     """Whether a velocity is given as that of a body at rest."""
-    match fact.relation.only[0].right:
-        case Pair(x, y):
-            return is_zero(x) and is_zero(y)
-    return False
+    return is_rest(fact.relation.only[0].right)
 
 
 def _sense_of(velocity: Expression) -> Expression | None:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     is_quantity,
     is_zero,
     letters,
+    quantities_in,
     walk,
 )
 from restitution.problem import (
@@ -253,7 +254,7 @@ class Ends:
                 return claim_of_meeting(relation, self._naming)
             case Aligned(_, how, other) if end.answer.only[0].sign == "=":
                 link = end.answer.only[0]
-                own = [e for e in walk(link.right) if isinstance(e, Quantity)]
+                own = list(quantities_in(link.right))
                 known = next(iter(own), other)
                 if own and isinstance(other, Negate):
                     known = Negate(own[0])

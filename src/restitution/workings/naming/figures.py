@@ -19,6 +19,7 @@ from restitution.errors import RestitutionError
 from restitution.exact import significant
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
+    EXACT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -52,8 +53,6 @@ _LONG = 1000
 _SHORT = 10
 # A fraction of so many parts is a decimal with an end.
 _DECIMALS = 1000
-# Degrees: multiples of it have ratios of roots.
-_EXACT_ANGLE = 15
 # Values beyond these would need a power of ten.
 _LONG_PRODUCT = 3  # of so many ratios
 _LONG_SUM = 2
@@ -74,11 +73,16 @@ def has_plain_angles(tree: Expression) -> bool:
 
 def is_by_calculator(trees: Iterable[Expression]) -> bool:
     """Whether a working has ratios of angles such as 37°, and is so one with a calculator."""
-    ratios = (ratio for tree in trees for ratio in _ratios_of_numbers(tree))
-    return any(
-        isinstance(ratio.argument, Degrees) and ratio.argument.value % _EXACT_ANGLE
-        for ratio in ratios
-    )
+    return any(map(plain_angles, trees))
+
+
+def plain_angles(tree: Expression) -> set[Fraction]:
+    """The numbers of degrees of which ratios, without roots, stand in a value."""
+    return {
+        ratio.argument.value
+        for ratio in _ratios_of_numbers(tree)
+        if isinstance(ratio.argument, Degrees) and ratio.argument.value % EXACT_ANGLE
+    }
 
 
 def _is_of_nested_roots(tree: Expression, every: bool) -> bool:

@@ -8,7 +8,16 @@ from restitution.explaining.lines.derivation import Derivation, Event, Meaning
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SENTENCES, SentenceId
 from restitution.explaining.lines.trees import settled
-from restitution.expression.tree import AtTime, Binary, Expression, Number, Quantity, Stage, walk
+from restitution.expression.tree import (
+    AtTime,
+    Binary,
+    Expression,
+    Number,
+    Quantity,
+    Stage,
+    has_quantity,
+    walk,
+)
 from restitution.problem import Arrival, Problem
 from restitution.records import dataclass
 from restitution.render import layout as lay
@@ -167,7 +176,7 @@ class Moments:
             case Binary("+", Quantity("time", (), int(number)), length) if number in self.events:
                 return self._after_by(length, self._started(number))
         fact = self.derivation.fact("start")
-        if any(isinstance(node, Quantity) for node in walk(time)) or fact is None:
+        if has_quantity(time) or fact is None:
             return say("derived.at-time", time=self.layout(time))
         left = fact.relation.only[0].left
         begins = left.stage if isinstance(left, Quantity) else None

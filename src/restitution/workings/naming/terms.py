@@ -8,7 +8,15 @@ from collections.abc import Iterator
 from restitution.explaining.lines.derivation import Derivation, Line, Meaning
 from restitution.explaining.lines.layouts import Forms, shares_in
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Quantity,
+    has_quantity,
+    letters,
+    quantities_in,
+    walk,
+)
 from restitution.problem import Problem, Show, comparisons, trees, trees_of_relation
 from restitution.records import dataclass
 
@@ -42,9 +50,9 @@ def terms_of(derivation: Derivation, problem: Problem) -> Terms:
         for tree in _trees(line):
             names |= letters(tree)
             if has_quantity(tree):
-                own |= set(_quantities(tree))
+                own |= set(quantities_in(tree))
                 ratios = (node.argument for node in walk(tree) if isinstance(node, Apply))
-                inside.update(node for ratio in ratios for node in _quantities(ratio))
+                inside.update(node for ratio in ratios for node in quantities_in(ratio))
         if line.shown != "silent":
             often.update(own)
     claims = (step.relation for _, step in problem.steps() if isinstance(step, Show))
@@ -56,10 +64,6 @@ def terms_of(derivation: Derivation, problem: Problem) -> Terms:
 def _trees(line: Line) -> Iterator[Expression]:
     if not isinstance(line.relation, Meaning):
         yield from trees_of(line.relation)
-
-
-def _quantities(tree: Expression) -> Iterator[Quantity]:
-    return (node for node in walk(tree) if isinstance(node, Quantity))
 
 
 __all__ = ["Terms", "terms_of"]
