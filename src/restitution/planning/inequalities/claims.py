@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     is_quantity,
+    is_zero,
     letters,
 )
 from restitution.oracle.roles import ACUTE
@@ -99,6 +100,7 @@ class Claims(Eliminated):
             for number in lines:
                 line = self._by_an_even_power(number, relation)
                 line = line or self._by_difference_of_squares(number, relation)
+                line = line or self._by_its_sign(number, relation)
                 line = self.monotone(number, relation) if line is None else line
                 if line is not None:
                     return line
@@ -192,6 +194,15 @@ class Claims(Eliminated):
         if not has_root(self.worths.value(self.scene.desk.last_link(line).right)):
             return None
         return write_difference(self, line, relation)
+
+    def _by_its_sign(self, line: int, relation: Relation) -> int | None:
+        """The sign of a value that stands, which the ranges of its letters tell at sight."""
+        link = self.scene.desk.last_link(line)
+        match relation.options:
+            case ((Link(left, _, right),),) if left == link.left and is_zero(right):
+                known = self.judge.known(letters(link.right))
+                return self.judge.write((Move("sign"),), (line, *known), relation)
+        return None
 
     def _of_letter(self, relation: Relation) -> int | None:
         """An inequality that stands already of the letter for its quantity, said of that."""

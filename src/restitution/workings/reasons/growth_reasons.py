@@ -114,6 +114,8 @@ class GrowthReasons:
         whole = above.right
         if _is_reciprocal(whole, name) and name not in positive:
             return  # of k = 1/e the bounds of e say it
+        if name not in positive and _is_multiple(whole, name) and len(line.relation.only) == 1:
+            return  # so they do of e tan(alpha), with the sign of what stands beside e
         if not is_short(whole):
             part = _part_with(whole, name)
             turn = 0 if part is None else way_of(part, name, ends, line.relation)
@@ -260,6 +262,12 @@ def _is_reciprocal(tree: Expression, name: str) -> bool:
         case Binary("/", Number(), Letter(own)):
             return own == name
     return False
+
+
+def _is_multiple(tree: Expression, name: str) -> bool:
+    """Whether a value is a product in which a letter stands once, as a factor."""
+    own = [factor for factor in factors(tree) if name in letters(factor)]
+    return own == [Letter(name)] and tree != Letter(name)
 
 
 def _part_with(tree: Expression, name: str) -> Expression | None:
