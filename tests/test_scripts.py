@@ -103,6 +103,8 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("twentythird-sealed", 113, 56),
         ("twentyfourth", 129, 62),
         ("twentyfourth-sealed", 125, 63),
+        ("twentyfifth", 122, 61),
+        ("twentyfifth-sealed", 123, 66),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
