@@ -101,7 +101,7 @@ WORKINGS = {
     ),
     "an angle after that is one before at most": (
         WALL + "find maximum of angle(velocity(P), W) over e",
-        ["beta <= alpha"],
+        ["angle(velocity(P, 1), W) <= alpha"],
     ),
     "reversed": (
         OBLIQUE + "given along(velocity(A), i) < 0\npart a\ngiven k = 4\nfind range of e\n"

@@ -13,7 +13,7 @@ from restitution.explaining.definitions.common import (
     unit_vector,
     whole_links,
 )
-from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Sign
+from restitution.explaining.lines.derivation import BEARINGS, FLIPPED, Event, Link, Sign
 from restitution.explaining.lines.quotients import Plane, Quotient
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
@@ -115,7 +115,7 @@ def _named_angles(step: Step) -> Iterator[Link]:
 
 def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
     """The two directions that a relation compares."""
-    if link.sign in ("perpendicular to", "parallel to"):
+    if link.sign in BEARINGS:
         return _moving(link.left), _moving(link.right), link.sign
     match link:
         case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle):

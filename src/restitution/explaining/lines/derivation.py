@@ -53,6 +53,8 @@ EventKind = Literal["impact", "kick", "arrival"]
 Showing = Literal["line", "inline", "silent"]
 """Whether a line is printed by itself, within another one, or not at all."""
 Sign = Literal["=", "<", "<=", ">", ">=", "!=", "≈", "parallel to", "perpendicular to"]
+BEARINGS: frozenset[Sign] = frozenset({"parallel to", "perpendicular to"})
+"""Signs that relate directions; what is parallel or perpendicular to something is not at rest."""
 SIGNS: tuple[Sign, ...] = get_args(Sign)
 # The sign of an inequality whose sides are exchanged.
 FLIPPED: Mapping[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}

@@ -10,7 +10,14 @@ from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines import derivation
 from restitution.explaining.lines.algebra import multiplied
 from restitution.explaining.lines.angles import Identity
-from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign, whole_of
+from restitution.explaining.lines.derivation import (
+    BEARINGS,
+    Link,
+    Meaning,
+    Relation,
+    Sign,
+    whole_of,
+)
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.steps.rules import Rules
@@ -109,7 +116,7 @@ def others_cited(step: Step) -> tuple[Cited, ...]:
 
 def matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
     """Whether a line says the expected residual to stand in that relation to zero."""
-    if sign in ("parallel to", "perpendicular to"):
+    if sign in BEARINGS:
         return False
     step.world.printed = False
     own = step.residual(line)
@@ -141,7 +148,7 @@ def may_match(step: Step, line: Link, expected: Iterable[Value]) -> bool:
 def expected_residual(step: Step, link: Link, rules: Rules) -> Value:
     """What the left side of a link less the right one comes to, with what is cited put in."""
     step.world.printed = True
-    if link.sign in ("parallel to", "perpendicular to"):
+    if link.sign in BEARINGS:
         return CONSTANT(0)
     return step.residual(link, rules)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.explaining.data.setting import Cited
-from restitution.explaining.lines.derivation import Link, Meaning, Relation, turned
+from restitution.explaining.lines.derivation import BEARINGS, Link, Meaning, Relation, turned
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import (
     exchanged,
@@ -60,6 +60,21 @@ def is_contradicted(step: Step, option: tuple[Link, ...], bound: Link) -> bool:
         return False
     sign = chosen.signs.of(value)
     return sign is not None and sign != 0 and (sign > 0) == (bound.sign[0] == "<")
+
+
+def is_at_rest_in(step: Step, option: tuple[Link, ...], bearing: Link) -> bool:
+    """Whether an option leaves a body at rest that has, by what is cited, a direction."""
+    if bearing.sign not in BEARINGS:
+        return False
+    chosen = step.under(cited=(*step.cited, Cited("", Relation((option,)))))
+    rules = chosen.rules()
+    for side in (bearing.left, bearing.right):
+        if not isinstance(side, Quantity) or side.kind != "velocity":
+            continue
+        value = rules.put_into(chosen.world.value(side))
+        if isinstance(value, Plane) and value.x.vanishes and value.y.vanishes:
+            return True
+    return False
 
 
 def same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:

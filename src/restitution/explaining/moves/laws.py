@@ -14,7 +14,7 @@ from restitution.explaining.definitions.journeys import places
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.definitions.ties import is_no_product, tie_of, ties
 from restitution.explaining.laws.principles import RECORDS, Record
-from restitution.explaining.lines.derivation import Event, Link, Relation
+from restitution.explaining.lines.derivation import BEARINGS, Event, Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import has_ratio_of_a_sum, settled
 from restitution.explaining.moves.bases import expected_residual, matches, may_match
@@ -125,7 +125,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     if step.move.record == "moves-off":
         chosen = step.under(opaque=step.opaque | {link.left})
         return points_along(chosen, line, link, chosen.rules())
-    if link.sign in ("parallel to", "perpendicular to"):
+    if link.sign in BEARINGS:
         return _is_tied(step, line, link)
     match link.left:
         case Quantity("position", _, AtTime()):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.lines.derivation import Link, Relation, Sign
+from restitution.explaining.lines.derivation import BEARINGS, Link, Relation, Sign
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import exchanged
@@ -43,7 +43,7 @@ def is_put(step: Step, line: Link) -> bool:
         return False
     if step.move.id == "put" and len(step.cited) < 2:
         return False
-    if step.move.id == "fact" and line.sign in ("parallel to", "perpendicular to"):
+    if step.move.id == "fact" and line.sign in BEARINGS:
         return line in base.only  # a direction is printed as it is given
     if _is_in_letters(step, line, base):
         return True
@@ -282,8 +282,7 @@ def _never_negative(step: Step, tree: Expression) -> bool:
 
 def _same_direction(step: Step, line: Link, base: Link) -> bool:
     """Whether a line gives a direction of its base by another vector."""
-    ties = ("parallel to", "perpendicular to")
-    if line.sign not in ties or base.sign not in ties or line.left != base.left:
+    if line.sign not in BEARINGS or base.sign not in BEARINGS or line.left != base.left:
         return False
     own, other = step.world.pointing(line.right), step.world.pointing(base.right)
     if not (isinstance(own, Plane) and isinstance(other, Plane)):

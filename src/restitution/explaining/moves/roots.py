@@ -6,11 +6,16 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Link, Relation
+from restitution.explaining.lines.derivation import BEARINGS, Link, Relation
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
-from restitution.explaining.moves.inequalities import is_contradicted, is_of_vectors, same_option
+from restitution.explaining.moves.inequalities import (
+    is_at_rest_in,
+    is_contradicted,
+    is_of_vectors,
+    same_option,
+)
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import Expression, is_binary
 from restitution.oracle import Oracle
@@ -174,8 +179,11 @@ def is_rejection(step: Step, relation: Relation) -> bool:
     rest = step.under(cited=others_cited(step))
     known = (*rest.facts, *rest.pushed())
     moving = [link for link in rest.links if is_of_vectors(link)]
+    bearings = [link for link in rest.links if link.sign in BEARINGS]
     for n, option in enumerate(base.options):
         if n in kept:
+            continue
+        if any(is_at_rest_in(rest, option, link) for link in bearings):
             continue
         if moving:
             if not any(is_contradicted(rest, option, link) for link in moving):

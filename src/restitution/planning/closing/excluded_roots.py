@@ -84,8 +84,8 @@ def rejected(
         if scene.judge.follows(move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
     facts = [ref for ref in scene.judge.known(names) if ref in scene.facts]
-    for approach in _approaches(scene, line, symbol):
-        refs = scene.judge.enough(move, (line,), relation, approach)
+    for ground in (*_bearings(scene, line), *_approaches(scene, line, symbol)):
+        refs = scene.judge.enough(move, (line,), relation, ground)
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     for sense in _senses_of_components(scene, symbol):
@@ -130,6 +130,31 @@ def _unsquared(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
         if any(is_function(node, "sqrt") and symbol.name in letters(node) for node in nodes):
             return (ref,)
     return ()
+
+
+def _bearings(scene: Scene, line: int) -> Iterator[tuple[Ref, ...]]:
+    """Each direction that is given of a velocity, with the lines above some roots that tell it.
+
+    A root at which the body would be at rest is excluded, as it would have no direction.
+    """
+    above = sorted((ref for ref in scene.desk.under(line) if isinstance(ref, int)), reverse=True)
+    for equation in scene.given:
+        match equation.link:
+            case Link(left, "parallel to" | "perpendicular to", right):
+                velocities = {side for side in (left, right) if is_quantity(side, "velocity")}
+            case _:
+                continue
+        for velocity in velocities:
+            own = [ref for ref in above if _is_about(scene, ref, velocity)]
+            yield (*equation.refs, *own)
+
+
+def _is_about(scene: Scene, ref: int, quantity: Expression) -> bool:
+    """Whether a line is an equation for a quantity."""
+    relation = scene.desk.line(ref).relation
+    return isinstance(relation, Relation) and all(
+        links[0].left == quantity and links[0].sign == "=" for links in relation.options
+    )
 
 
 def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:

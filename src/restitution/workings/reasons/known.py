@@ -8,12 +8,14 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.explaining.lines.derivation import (
+    BEARINGS,
     Derivation,
     Fact,
     Line,
     Link,
     Ref,
     Relation,
+    Sign,
     equality,
     turned,
 )
@@ -26,6 +28,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Number,
     Quantity,
     is_binary,
@@ -195,9 +198,12 @@ class Known:
                 return None
             # A law stands above: that a root contradicts it is told by what bounds the root.
             known = own.move.id == "law" or self._offers(own.relation, line)
-            # That bodies approach is a reason by itself.
+            # That bodies approach is a reason by itself, and so is that one has a direction.
             approach = any(str(premise).startswith("towards") for premise in line.premises)
-            return None if known or approach else _by_its_ends(own.relation)
+            bearing = any(
+                _signs(fact) & BEARINGS for fact in self._derivation.facts_in(line.premises)
+            )
+            return None if known or approach or bearing else _by_its_ends(own.relation)
         fact = self._derivation.fact(ref)
         if fact is not None:
             return self._of_a_fact(fact, line)
@@ -214,11 +220,25 @@ class Known:
         angle = self._naming.layout(acute)
         return say(_BY_TANGENT, bound=self._layout(tangent), angle=angle)
 
+    def _not_at_rest(self, fact: Fact, line: Line) -> Sentence | None:
+        """Who is not at rest as its velocity has a direction, of those whose velocity is cited."""
+        cited = {
+            own.relation.options[0][0].left
+            for own in self._cited(line)
+            if isinstance(own.relation, Relation)
+        }
+        for link in fact.relation.only:
+            for side in (link.left, link.right):
+                match side:
+                    case Quantity("velocity", (Name(body),)) if side in cited:
+                        return say("derived.not-at-rest", body=body)
+        return None
+
     def _of_a_fact(self, fact: Fact, line: Line) -> Sentence | Relation | None:
         """What a fact of the statement tells; None where the words before the line say it."""
         if line.move.id == "put" or fact == compared_quantities(self._derivation, line):
             return None
-        signs = {link.sign for links in fact.relation.options for link in links}
+        signs = _signs(fact)
         motion = motion_of(fact)
         if motion is not None and (line.move.id == "reject" or line.move.record == "speed"):
             # That a sign is given by the direction of motion is said where it is used.
@@ -234,6 +254,8 @@ class Known:
             return root_on_a_rim(self._derivation, self._naming, line, int(number))
         if line.move.id == "reject" and kind == "velocity":
             return pushed_away(self._derivation, self._naming, line, fact)
+        if line.move.id == "reject" and signs & BEARINGS:
+            return self._not_at_rest(fact, line)
         if line.move.id == "reject" and fact.kind == "given" and signs == {"="}:
             return say("derived.given")
         ordered = bool(signs) and signs <= {*UP, *DOWN, "!="}
@@ -288,3 +310,8 @@ def _by_its_ends(relation: Relation) -> Relation:
     if len(relation.options) > 1 or any(link.sign != "=" for link in relation.only):
         return relation
     return equality(relation.only[0].left, relation.only[-1].right)
+
+
+def _signs(fact: Fact) -> set[Sign]:
+    """The signs of the links of a fact."""
+    return {link.sign for links in fact.relation.options for link in links}

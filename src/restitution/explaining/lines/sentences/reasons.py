@@ -47,6 +47,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.cannot-be-negative": "{letter} cannot be negative",
     "derived.cannot-exceed-one": "{letter} cannot exceed 1",
     "derived.given": "this is given",
+    "derived.not-at-rest": "{body} is not at rest",
     "derived.fact": "{fact}",
     "derived.fact-equal": "{fact}, with equality when {place}",
     "derived.increases": "{quantity} increases with {letter}",
