@@ -96,7 +96,7 @@ def test_what_only_a_calculator_knows_stands_once() -> None:
     assert shown.count("v ≈ −2.280 m s⁻¹") == 1
     assert "speed of A ≈ √(2.280² + (5 sin 20°)²) ≈ 2.85 m s⁻¹" in shown
     assert "tan θ ≈ −(5 sin 20°)/2.280 ≈ −0.7499" in shown
-    assert "θ ≈ 180° − arctan 0.7499, as v < 0 ≈ 143°" in shown
+    assert "θ ≈ 180° − 36.87°, as v < 0 ≈ 143°" in shown
     assert "½ × 2((5 cos 20°)² − 2.280²) + ½ × 3((4 cos 50°)² − 2.081²) ≈ 20.3 J" in shown
     assert "9.6 cos² 20°" not in shown
 

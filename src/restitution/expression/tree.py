@@ -102,6 +102,14 @@ class Degrees(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@keeps_hash
+@dataclass(frozen=True, slots=True)
+class RoundedDegrees(Degrees):
+    """A number of degrees that is carried to so many significant figures."""
+
+    figures: int
+
+
 RIGHT_ANGLE, STRAIGHT_ANGLE = Degrees(Fraction(90)), Degrees(Fraction(180))
 
 
@@ -321,9 +329,11 @@ PARTS: dict[type, tuple[str, ...]] = {
     kind: tuple(
         field_of_kind.name for field_of_kind in fields(kind) if field_of_kind.name != "place"
     )
-    for kind in (*get_args(Expression), Measured, Rounded)
+    for kind in (*get_args(Expression), Measured, Rounded, RoundedDegrees)
 }
-LEAVES: frozenset[type] = frozenset({Number, Rounded, Degrees, Pi, Letter, Unit, Name})
+LEAVES: frozenset[type] = frozenset(
+    {Number, Rounded, Degrees, RoundedDegrees, Pi, Letter, Unit, Name}
+)
 
 
 def walk(node: Expression) -> tuple[Expression, ...]:

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Number,
     Pair,
     Quantity,
+    Rounded,
     has_quantity,
     has_root,
     has_unit_vector,
@@ -43,6 +44,7 @@ from restitution.workings.naming.figures import (
     Figures,
     has_plain_angles,
     is_by_calculator,
+    is_figures,
     of_plain_angles,
     plain_angles,
 )
@@ -387,6 +389,8 @@ class Chains:
             trees[-1] = self._figures.outcome(trees[-1])
             if trees[-1] != exact[-1]:
                 self._figures.stands_for(exact[-1], trees[-1])
+        if calculated and line.move.record in _TANGENTS and isinstance(trees[-1], Rounded):
+            trees[-1] = self._figures.tangent(exact[-1]) or trees[-1]
         put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
         if put:
             self._with_figures[line.number] = trees[0], trees[1]
@@ -431,7 +435,7 @@ class Chains:
     ) -> Expression:
         """A side of a chain with figures; ``worked`` where the line only works something out."""
         tree, calculated = trees[n], self._figures.with_calculator
-        if calculated and n > 1 and isinstance(unsigned(trees[n - 1]), Number):
+        if calculated and n > 1 and is_figures(trees[n - 1]):
             return trees[n - 1]  # it is the same number
         outcome = n == len(trees) - 1 > 1 and not isinstance(tree, Apply)
         if calculated and line.move.record == "scalar-angle":

@@ -32,6 +32,7 @@ from restitution.solving.story.letters import roles
 from restitution.workings.chains import WORDS, Chains, is_value, sign_of
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.naming.bold_letters import unit_vector
+from restitution.workings.naming.figures import degrees_of
 from restitution.workings.naming.measured import (
     as_answer,
     is_plain,
@@ -98,6 +99,24 @@ class Rows(Chains):
             if all(link.sign == "=" for link in whole):
                 self._left, self._single = (whole[0].left, line.item), len(whole) == 1
             fresh = False
+        angle = self._angle_carried(line)
+        if angle is not None:
+            yield angle
+
+    def _angle_carried(self, line: Line) -> Row | None:
+        """The degrees of an angle of which a line has the tangent, where a sum below has them."""
+        if not self._figures.with_calculator or self._ends.of(line) is not None:
+            return None
+        for own in self._derivation.lines:
+            match own.relation:
+                case Relation(((Link(Letter() as angle, "=", value),),)) if (
+                    own.move.id,
+                    own.shown,
+                ) == ("inverse", "silent") and line.number in own.premises:
+                    degrees = degrees_of(value)
+                    sides = [self._naming.layout(side) for side in (angle, degrees) if side]
+                    return Row(tuple(sides), ("≈",)) if degrees else None
+        return None
 
     def _as_the_question_has_it(self, row: Row, link: Link) -> Row:
         """The row of what was to be shown, with the letter of the question for a time in it."""

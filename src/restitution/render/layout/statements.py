@@ -61,6 +61,8 @@ def from_tree(node: trees.Expression, events: EventNames = _NUMBERED) -> Layout:
             return decimal_number(value, figures)
         case trees.Number(value):
             return _typed_number(value)
+        case trees.RoundedDegrees(value, figures):
+            return Degrees(decimal_number(value, figures))
         case trees.Degrees(value):
             return Degrees(_typed_number(value))
         case trees.Pi():

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Rounded,
+    RoundedDegrees,
     Unit,
     has_quantity,
     has_root,
@@ -45,8 +46,10 @@ from restitution.workings.naming.measured import is_measure_of_angle, rounded, w
 # Of a value on the way, so that three are right in the end.
 FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
+_FIGURES_OF_ANSWERS = 3
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
+_INVERSES = frozenset({"arcsin", "arccos", "arctan"})
 # Numbers from here on are none that somebody writes before a ratio.
 _LONG = 1000
 # A fraction of numbers below this is short.
@@ -283,6 +286,8 @@ class Figures:
         own = unsigned(tree)
         if own in self._known and not (self.with_calculator and own in self._alone):
             return tree
+        if self.with_calculator and is_sum_with_inverse(tree):
+            return angles_in_figures(tree)
         for figures in _FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
             known = exchanged(self._by_value(tree), nested | self._known)
@@ -386,6 +391,65 @@ class Figures:
                 case Binary("*", size, Unit()):
                     self.note(size)
         return self.put(tree)
+
+
+def is_sum_with_inverse(tree: Expression) -> bool:
+    """Whether a tree is a sum of numbers of degrees with the inverse of a ratio among them."""
+    return (
+        is_binary(tree, "+", "-") and _is_sum_of_angles(tree) and any(map(is_inverse, walk(tree)))
+    )
+
+
+def _is_sum_of_angles(tree: Expression) -> bool:
+    match unsigned(tree):
+        case Binary("+" | "-", left, right):
+            return _is_sum_of_angles(left) and _is_sum_of_angles(right)
+        case own:
+            return isinstance(own, Degrees) or is_inverse(own)
+
+
+def is_figures(tree: Expression) -> bool:
+    """Whether a side is a number, or a sum of numbers of degrees that has some in figures."""
+    own = unsigned(tree)
+    inside = walk(own)
+    return isinstance(own, Number) or (
+        _is_sum_of_angles(own)
+        and any(isinstance(node, RoundedDegrees) for node in inside)
+        and not any(map(is_inverse, inside))
+    )
+
+
+def is_inverse(tree: Expression) -> bool:
+    """Whether a tree is the inverse of a ratio that is a number: arctan 0.45."""
+    return isinstance(tree, Apply) and tree.function in _INVERSES and not letters(tree)
+
+
+def angles_in_figures(tree: Expression) -> Expression:
+    """A sum of angles with the degrees of each inverse of a ratio: 35° + 22.78°.
+
+    The tree itself where they lead to another answer.
+    """
+    answer = degrees_of(tree, _FIGURES_OF_ANSWERS)
+    for figures in _FIGURES_BEFORE_A_ROUNDING:
+        put = swept(rebuilt(tree, partial(_in_degrees, figures=figures)))
+        if degrees_of(put, _FIGURES_OF_ANSWERS) == answer:
+            return put
+    return tree
+
+
+def _in_degrees(tree: Expression, figures: int) -> Expression:
+    """The degrees of the inverse of a ratio; any other tree as it is."""
+    return (degrees_of(tree, figures) or tree) if is_inverse(tree) else tree
+
+
+def degrees_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
+    """An angle in degrees to so many figures; None of one that is very small."""
+    value = _scalar(tree)
+    number = None if value is None else _fraction(value * 180 / sp.pi, figures)
+    if number is None:
+        return None
+    size = RoundedDegrees(abs(number), figures)
+    return Negate(size) if number < 0 else size
 
 
 def _is_quotient_of_numbers(tree: Expression) -> bool:

@@ -40,6 +40,10 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
         if last is not None and last.rows and wordless and joins:
             *above, row = last.rows
             whole = _as_one(row, step.rows[0])
+            if whole is None and above and _is_between(above[-1], row, step.rows[0]):
+                whole = replace(
+                    step.rows[0], operands=(row.operands[0], *step.rows[0].operands[1:])
+                )
             rows = (row, *step.rows) if whole is None else (whole, *step.rows[1:])
             last = replace(last, rows=(*above, *rows))
             continue
@@ -108,6 +112,18 @@ def _goes_on_rounded(row: Row, other: Row) -> bool:
     bare = not (row.points or row.asides or row.number or row.answer)
     same = other.operands[0] in (None, row.operands[0]) and other.signs == ("≈",)
     return bare and same and set(row.signs) == {"="} and not row.alternatives
+
+
+def _is_between(ratio: Row, row: Row, other: Row) -> bool:
+    """Whether a row is no more than the inverse of the ratio above it, before its degrees."""
+    bare = not (row.points or row.asides or row.number or row.answer or row.reasons or row.label)
+    match row, other:
+        case Row((_, lay.Function(name, size)), ("≈",)), Row((left, lay.Degrees()), ("≈",)) if (
+            bare and left in (None, row.operands[0]) and name.startswith("arc")
+        ):
+            first = lay.Function(name.removeprefix("arc"), row.operands[0] or size)
+            return first == ratio.operands[0] and size == ratio.operands[-1]
+    return False
 
 
 def _says_the_end(row: Row, other: Row) -> bool:
