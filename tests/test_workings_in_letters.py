@@ -9,6 +9,14 @@ from restitution.workings import explain, to_text
 
 WALL = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\n"
 IN_LINE = "sphere P: mass m, velocity 2u i\nsphere Q: mass 3m, velocity u i\nP hits Q: along i\n"
+BACK = """
+wall W: along j
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i
+part a
+find velocity(A), velocity(B)
+"""
 
 # What stands in a working, and what does not.
 SAYS: dict[str, tuple[str, list[str], list[str]]] = {
@@ -21,6 +29,17 @@ SAYS: dict[str, tuple[str, list[str], list[str]]] = {
         WALL + "P hits W\nlet beta = angle(velocity(P), W)\nshow beta <= alpha\n",
         ["tan β ≤ tan α, as α is acute and e ≤ 1"],
         ["increases"],
+    ),
+    "in which direction a sphere moves is the sign of its component, in the part that asks it": (
+        BACK + "part b\ngiven e > 1/2\nshow velocity(A) in the direction of -i\n",
+        ["A1 (b) From (3): v < 0, as e > ½", "So 𝐯_A is in the direction of −𝐢, as required."],
+        [],
+    ),
+    # v > -(1 + e)u/6 as e < 1.
+    "a part in which more is known of a letter goes on with what stands": (
+        BACK + "part b\nB hits W: e = 1/2\ngiven e > 1/2, A and B collide again\nfind range of e\n",
+        ["collide again if the gap", "(1 − 2e)u/3 > −(1 + e)u/6", "e < 1", "½ < e < 1"],
+        ["not written out"],
     ),
 }
 

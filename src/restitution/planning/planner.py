@@ -441,6 +441,8 @@ def _drafts(
     models = list(one_side) or models
     for model_ in models:
         draft = desk.fork()
+        own_letters = model_.unknowns
+        draft.take_letters({name: own_letters.letter(name) for name in own_letters.roles})
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, own, part, model_, draft, others, find_frame=frame_at)
         scene.of_offsets = given_by_offsets(scene)

@@ -26,6 +26,7 @@ from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.comparisons import Comparison
 from restitution.planning.shows.shown_equations import ShownEquation
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
@@ -57,9 +58,38 @@ def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Rel
                 ):
                     return _axis_shown(claims, event, own)
     if relation.relation != "perpendicular to" and not isinstance(link.right, Name):
-        return _common_direction(claims, relation, link)
+        return _sense_shown(claims, relation, link) or _common_direction(claims, relation, link)
     record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
     return _tied(claims, record, (link.left, link.right), Relation(((link,),)))
+
+
+def _sense_shown(claims: Claims, relation: Aligned, link: Link) -> tuple[int, Relation] | None:
+    """The sense in which a sphere moves along the line of its latest impact: a component's sign.
+
+    None where its velocity has another component, or may be zero.
+    """
+    match link.left:
+        case Quantity("velocity", (Name(body),), int(stage)) if stage > 0:
+            pass
+        case _:
+            return None
+    if relation.relation == "parallel to" or has_quantity(link.right):
+        return None
+    scene, mark = claims.scene, claims.worths.mark()
+    wanted = scene.model.story.direction(link.right, scene.events)
+    velocity = scene.model.story.velocity(body, stage)
+    frame = frame_after(scene, body, stage)
+    value = velocity.dot(frame.n)
+    ahead = scene.model.sign(wanted.dot(frame.n))
+    if tidy(wanted.cross(frame.n)) != 0 or tidy(velocity.cross(frame.n)) != 0 or not ahead:
+        return None
+    claims.solver.determine([value])
+    along = frame.component("along", body, stage)
+    try:
+        return Comparison(claims).write(Link(along, ">" if ahead > 0 else "<", ZERO))
+    except NotPlannedError:
+        claims.worths.back(mark)
+        return None
 
 
 def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:

@@ -7,7 +7,10 @@ from dataclasses import field, replace
 from itertools import chain as joined
 from typing import Any
 
+import sympy as sp
+
 from restitution.errors import UnsupportedError
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.following.trials import names_in
 from restitution.explaining.lines.derivation import (
     Case,
@@ -370,6 +373,14 @@ class Desk:
             _scopes=dict(self._scopes),
         )
 
+    def take_letters(self, letters: Mapping[str, sp.Symbol]) -> None:
+        """Has all values in the letters of a part, in which more may be known of their signs."""
+        self.version += 1
+        for key, own in self._sources.items():
+            self._sources[key] = [
+                replace(source, value=_in_letters(source.value, letters)) for source in own
+            ]
+
     def take_last(self) -> None:
         """Takes away the last line, and the values that it gives."""
         number = len(self.lines)
@@ -451,3 +462,14 @@ class Mark:
     sources: Mapping[Expression, list[Source]]
     scopes: Mapping[Ref, Scope]
     splits: tuple[tuple[int, int], ...]
+
+
+def _in_letters(value: Any, letters: Mapping[str, sp.Symbol]) -> Any:
+    """A value, or each part of a vector, with other symbols for its letters."""
+    if isinstance(value, Vector):
+        return Vector(*(_in_letters(part, letters) for part in value))
+    if not isinstance(value, sp.Basic):
+        return value
+    changes = {s: letters[s.name] for s in symbols_in(value) if s.name in letters}
+    changes = {symbol: own for symbol, own in changes.items() if symbol != own}
+    return value.xreplace(changes) if changes else value

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import rebuilt
@@ -79,6 +80,7 @@ class Ends:
             for item in self._parts
         }
         asked = [question for _, step in problem.steps() for question in _asked(step)]
+        self._events = dict(zip(self._parts, _events_above(problem), strict=False))
         self._asked: Mapping[str, Item | Show] = (
             dict(zip(self._parts, asked, strict=True)) if len(asked) == len(self._parts) else {}
         )
@@ -272,6 +274,13 @@ class Ends:
                     if body is not None:
                         return say("claim.unless-at-rest", claim=claim, body=body)
                 return claim
+            case Aligned(left, how, right):
+                # The sign of a component says it, of the velocity that the line is about.
+                events = self._events[end.item]
+                left, right = (
+                    self._side(staged(self._problem, tree, events)) for tree in (left, right)
+                )
+                return say(_ALIGNED[how], left=left, right=right)
         return None
 
     def _given_positive(self, multiple: Expression) -> Relation | None:
@@ -361,6 +370,14 @@ def _numbers(derivation: Derivation, problem: Problem) -> dict[str, str]:
     if len(numbers) != len(derivation.asked):
         return {}
     return dict(zip(derivation.asked, numbers, strict=True))
+
+
+def _events_above(problem: Problem) -> Iterator[int]:
+    """How many events are told above each thing that is asked."""
+    events = 0
+    for _, step in problem.steps():
+        events += isinstance(step, Impact | Kick | Arrival)
+        yield from (events for _ in _asked(step))
 
 
 def _asked(step: Any) -> Iterator[Item | Show]:

@@ -34,7 +34,7 @@ def meeting_of(naming: Naming, fact: Fact) -> Meets | None:
             facts = [
                 other
                 for other in naming.derivation.facts
-                if other.kind == "given" and other.place == fact.place
+                if other.kind in ("given", "range") and other.place == fact.place
             ]
             if fact in facts and len(facts) == len(step.relations):
                 relation = step.relations[facts.index(fact)]
