@@ -41,6 +41,33 @@ SAYS: dict[str, tuple[str, list[str], list[str]]] = {
         ["collide again if the gap", "(1 − 2e)u/3 > −(1 + e)u/6", "e < 1", "½ < e < 1"],
         ["not written out"],
     ),
+    # v = (1 - 2e)u, so A loses all that it has along i.
+    "what a sphere loses has the coefficient of its part, though its component is zero": (
+        """
+sphere A: mass 2m, velocity 3u i + u j
+sphere B: mass m, velocity -3u i + 2u j
+A hits B: along i
+part a
+find velocity(A)
+part b
+given e = 1/2
+find energy_lost(A), energy_lost(B)
+""",
+        ["v = 0", "lost by A = ½ × 2m(3u)² = 9mu²", "lost by B = ½m((3u)² − (3u)²) = 0"],
+        ["not written out", "does not follow"],
+    ),
+    "the direction of a wall is shown as it is found": (
+        """
+wall W
+sphere P: mass 2, velocity 7i - j
+P hits W
+given velocity(P) = 2i + 4j
+find impulse(P)
+show direction(W) parallel to i + j
+""",
+        ["At right angles to the normal: (ii) W is parallel to 𝐢 + 𝐣 (as required)"],
+        ["not written out", "So W is"],
+    ),
 }
 
 

@@ -473,11 +473,12 @@ def energy_change(scene: Scene, asked: Expression) -> Formula | None:
     ends = ends if late > early else ends[::-1]
     mass = scene.mass(body)
     squared = difference(*(square(tree_of(end.value)) for end in ends))
-    value = mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2
-    refs = together(frame.names_axis("along"), mass.refs, *(end.whole for end in ends))
+    value = tidy(expanded(mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2))
+    own = () if value == 0 else mass.refs  # of nothing no mass is needed
+    refs = together(frame.names_axis("along"), own, *(end.whole for end in ends))
     move = Move("define", "energy-change", event, (body,))
     right = half(tree_of(mass.value), squared)
-    return Formula(move, itself, asked, right, tidy(expanded(value)), refs)
+    return Formula(move, itself, asked, right, value, refs)
 
 
 def _lost_by_speeds(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import sympy as sp
 
@@ -16,7 +17,7 @@ from restitution.expression.tree import (
     is_quantity,
     walk,
 )
-from restitution.planning.angles.expressions import outermost
+from restitution.planning.angles.expressions import outermost, write_expression
 from restitution.planning.angles.turning import is_angle, quantity_of
 from restitution.planning.formulas.separations import event_of_relative
 from restitution.planning.routes.order import Solver
@@ -141,3 +142,21 @@ def goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
         x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
         return [x / y if scene.model.sign(x) == 0 else y / x]
     return [sp.sympify(value, strict=True)]
+
+
+def write_determined(scene: Scene, solver: Solver, asked: Expression) -> tuple[int, Any]:
+    """The line in which an expression comes to its value, once every letter in that is known.
+
+    Of the square of what is zero, such as an energy, no gradient tells of its letters.
+    """
+    standing = solver.mark()
+    line, value = write_expression(scene, asked)
+    right = scene.value(scene.desk.last_link(line).right)
+    parts = right if isinstance(right, Vector) else (right,)
+    open_ = {s for part in parts if not hasattr(part, "measure") for s in scene.unknown(part)}
+    open_ &= scene.model.final.keys()
+    if not open_ or scene.others:
+        return line, value
+    solver.back(standing)
+    solver.determine(sorted(open_, key=str))
+    return write_expression(scene, asked)

@@ -57,7 +57,11 @@ from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.aimed_velocities import write_by_its_way
 from restitution.planning.routes.closed_before import write_from_above
-from restitution.planning.routes.determining import determine, determine_velocities
+from restitution.planning.routes.determining import (
+    determine,
+    determine_velocities,
+    write_determined,
+)
 from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
@@ -115,7 +119,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case _ if not has_quantity(asked):
             _of_letters(scene, solver, asked, name)
         case _:
-            _expression(scene, asked, name)
+            _expression(scene, solver, asked, name)
 
 
 def _at_once(scene: Scene, asked: Expression) -> int | None:
@@ -175,7 +179,7 @@ def _quantity(scene: Scene, solver: Solver, asked: Quantity, name: str) -> None:
         case Quantity("mass", (Name(body),)) if f"mass {body}" not in scene.facts:
             _letter(scene, asked, sp.sympify(scene.scalar(asked), strict=True), name)
         case Quantity("mass" | "restitution"):
-            _expression(scene, asked, name)
+            _expression(scene, solver, asked, name)
         case Quantity("along" | "across") if is_named(scene, asked):
             known = scene.desk.known(asked)
             assert known is not None
@@ -321,8 +325,8 @@ def _is_wall(scene: Scene, asked: Expression) -> bool:
     return False
 
 
-def _expression(scene: Scene, asked: Expression, name: str) -> None:
-    line, value = write_expression(scene, asked)
+def _expression(scene: Scene, solver: Solver, asked: Expression, name: str) -> None:
+    line, value = write_determined(scene, solver, asked)
     sign = scene.desk.last_link(line).sign
     answer = chain(asked, (value, None))
     if sign == "≈":

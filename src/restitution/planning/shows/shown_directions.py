@@ -22,6 +22,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Relation as Formula
 from restitution.planning.angles.scalar_angles import write_product_of_two
+from restitution.planning.axes.by_changes import write_wall
 from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
@@ -57,6 +58,9 @@ def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Rel
                     has_quantity(right) or isinstance(right, Name)
                 ):
                     return _axis_shown(claims, event, own)
+    for own in (link, Link(link.right, link.sign, link.left)):
+        if (wall := _wall_shown(claims, own)) is not None:
+            return wall
     if relation.relation != "perpendicular to" and not isinstance(link.right, Name):
         return _sense_shown(claims, relation, link) or _common_direction(claims, relation, link)
     record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
@@ -102,6 +106,30 @@ def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:
     if line is None:
         raise NotPlannedError("another direction of a line of centres")
     return line, relation
+
+
+def _wall_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
+    """A wall that is worked out from an impulse, in the printed direction; None of any other."""
+    match link:
+        case Link(
+            Quantity("direction", (Name(name),), None) | Name(name),
+            "parallel to" | "perpendicular to",
+            right,
+        ) if not (has_quantity(right) or isinstance(right, Name)):
+            pass
+        case _:
+            return None
+    scene = claims.scene
+    numbers = [n for n, frame in scene.model.frames.items() if frame.wall == name]
+    if not numbers or f"axis {numbers[0]}" in scene.facts:
+        return None
+    own = Quantity("direction", (Name(name),))
+    relation = Relation(((Link(own, link.sign, right),),))
+    line = write_wall(scene, name)
+    if scene.desk.relation(line) == relation:
+        return line, relation
+    line_ = claims.judge.write((Move("rearrange"),), [line], relation)
+    return None if line_ is None else (line_, relation)
 
 
 def _along_the_axis(claims: Claims, link: Link) -> tuple[int, Relation]:

@@ -10,7 +10,14 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.data.facts import staged
-from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Derivation,
+    ItemEnd,
+    Line,
+    Link,
+    Relation,
+)
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
@@ -274,7 +281,7 @@ class Ends:
                     if body is not None:
                         return say("claim.unless-at-rest", claim=claim, body=body)
                 return claim
-            case Aligned(left, how, right):
+            case Aligned(left, how, right) if end.answer.only[0].sign in FLIPPED:
                 # The sign of a component says it, of the velocity that the line is about.
                 events = self._events[end.item]
                 left, right = (
