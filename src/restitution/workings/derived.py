@@ -574,20 +574,18 @@ def _in_turn(first: tuple[Sentence, ...], then: tuple[Sentence, ...]) -> tuple[S
 
 
 def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
-    """Steps with labels where chains begin; once for chains with no words between them."""
+    """Steps with labels where chains begin; once for what is asked under one number."""
     last = ""
     for step in steps:
-        if step.rows and (step.sentences or step.title is not None):
-            last = ""
         label = "" if step.label == last else step.label
         last = step.label or last
         labels = [""] * len(step.rows)
-        start, above = 0, last
+        start = 0
         for index, row in enumerate(step.rows):
             if row.operands[0] is not None:
-                start, above, last = index, last, ""
+                start = index
             if row.label:
-                labels[start] = "" if row.label == above else row.label
+                labels[start] = labels[start] if row.label == last else row.label
                 last = row.label
         rows = tuple(
             row if row.label == own else replace(row, label=own)

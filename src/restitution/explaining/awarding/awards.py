@@ -66,6 +66,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
 from restitution.expression.tree import (
     Letter,
+    Quantity,
     has_quantity,
     letters,
 )
@@ -215,6 +216,7 @@ class _Awarding:
             if points[line.number]:
                 earned.add(self.part(line))
         self._with_a_method(points)
+        self._with_an_equation(points)
         return self._settled(points)
 
     def noted(self, marks: dict[int, Marks]) -> Iterator[Note]:
@@ -271,6 +273,37 @@ class _Awarding:
             ]
             if len(steps) > 1:
                 points[steps[0].number].append("M")
+
+    def _with_an_equation(self, points: dict[int, list[str]]) -> None:
+        """A method for values put into an equation that stood in an earlier part.
+
+        Only where nothing else is a method above the answer that is solved for from it.
+        """
+        methods: set[str | None] = set()
+        for line in self.derivation.lines:
+            part = self.part(line)
+            if line.number in self.ends and points[line.number] == ["A"] and part not in methods:
+                under = lines_under(self.derivation, line.number)
+                equations = (
+                    own
+                    for own in self.derivation.lines
+                    if own.number in under and self.part(own) == part and self._is_closed(own)
+                )
+                first = next(equations, None)
+                if first is not None:
+                    points[first.number].append("M")
+            if "M" in points[line.number]:
+                methods.add(part)
+
+    def _is_closed(self, line: Line) -> bool:
+        """Whether values are put into an equation of an earlier part, of which no side is a name."""
+        if line.shown == "silent" or not _is_an_equation(line):
+            return False
+        if line.move.id != "put":
+            rule = self.rule(line)
+            return rule is not None and rule.name == "repeated"
+        earlier = (own for own in self.cited(line) if self.part(own) != self.part(line))
+        return any(_is_an_equation(own) for own in earlier)
 
     def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
         """The mark of an item that a fact gives goes to the line that had it in letters."""
@@ -637,3 +670,9 @@ def _is_a_place(line: Line) -> bool:
 def _once(points: Sequence[str]) -> tuple[str, ...]:
     """M, A, B in this order, each once; a value that a method gives needs no B beside it."""
     return tuple(kind for kind in "BMA" if kind in points)
+
+
+def _is_an_equation(line: Line) -> bool:
+    """Whether a line is an equation of which the left side is no letter or quantity alone."""
+    sides = single_sides(line.relation) if isinstance(line.relation, Relation) else None
+    return sides is not None and not isinstance(sides[0], Letter | Quantity)

@@ -21,6 +21,7 @@ from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming, with_article
+from restitution.workings.naming.senses_at_walls import away, is_turned
 from restitution.workings.naming.sources import Sources
 
 # These name what is put in.
@@ -202,7 +203,12 @@ class Carried:
     def _name(self, line: Line) -> Sentence | lay.Layout:
         """What a line says the value of: a letter, or words with an article."""
         assert isinstance(line.relation, Relation)
-        return with_article(self._naming.layout(line.relation.only[0].left))
+        links = line.relation.only
+        left = links[0].left
+        sides = [self._naming.layout(tree) for tree in (left, *(link.right for link in links))]
+        if self._ends.of(line) is None and is_turned(self._naming, links, sides):
+            return with_article(away(self._naming, left))
+        return with_article(sides[0])
 
 
 def _is_a_value(line: Line) -> bool:
