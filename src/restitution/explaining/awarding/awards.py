@@ -296,7 +296,7 @@ class _Awarding:
                 methods.add(part)
 
     def _is_closed(self, line: Line) -> bool:
-        """Whether values are put into an equation of an earlier part, of which no side is a name."""
+        """Whether values are put into an equation of an earlier part that is no value of one."""
         if line.shown == "silent" or not _is_an_equation(line):
             return False
         if line.move.id != "put":

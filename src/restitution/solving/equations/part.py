@@ -12,7 +12,7 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
 from restitution.exact.symbols import symbol_names
-from restitution.expression.tree import Place
+from restitution.expression.tree import Place, letters
 from restitution.oracle import Oracle
 from restitution.oracle.roles import REAL
 from restitution.problem import Extremum, Part, Problem, Range, Show
@@ -331,9 +331,26 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
             error.because = f"{EVERY_SOLUTION} {reason}"
         return error
     listed = " or ".join(values)
-    error = ImpossibleError(f"{listed} rejected: {reason}", line)
+    hint = next(iter(_senses_to_free(setting, named, reason)), "")
+    error = ImpossibleError(f"{listed} rejected: {reason}{hint}", line)
     error.because = f"the data give {listed}, and {reason}"
     return error
+
+
+def _senses_to_free(
+    setting: Setting, trials: Sequence[Trial], reason: str | None
+) -> Iterator[str]:
+    """How a letter that is the speed of a velocity may be negative, where it would have to be."""
+    speeds = {
+        name
+        for sphere in setting.problem.spheres
+        if sphere.velocity is not None
+        for name in letters(sphere.velocity)
+    }
+    for trial in trials:
+        for name, value in trial.root.values.items():
+            if name in speeds and reason == f"{name} must be positive" and value.is_negative:
+                yield f", as it is a speed here; write 'given {name} < 0' if it need not be"
 
 
 def _has_a_letter_of_zero(setting: Setting, trial: Trial) -> bool:
