@@ -207,3 +207,14 @@ def test_the_impulse_on_the_other_sphere_is_opposite_to_his_own() -> None:
     working = ["change in velocity of A = -2i + 4j", "impulse on A = -4i + 8j"]
     assert verdicts(statement, *working, "vB = i - 2j")[1:] == ["follows", "follows"]
     assert verdicts(statement, *working, "vB = 4i - 8j")[2] == "false"
+
+
+def test_sine_and_cosine_exchanged_are_so_across_the_line_too() -> None:
+    statement = (
+        "sphere A: mass 3, velocity 10 at 60°\nsphere B: mass 2, at rest\n"
+        "A hits B: along i, e = 3/4\nfind speed(A)"
+    )
+    working = ["30 sin 60 = 3v + 2w", "w - v = 7.5 sin 60", "5v = 13.0 so v = 2.60"]
+    speed = "speed of A = √(2.60² + 5²) = 5.64"
+    assert verdicts(statement, *working, speed)[2:] == ["follows", "follows"]
+    assert verdicts(statement, *working, "speed of A = √(2.60² + 6²) = 6.54")[3] == "false"

@@ -541,3 +541,23 @@ def test_values_and_vectors_show_laws_that_are_used_wrongly(
     statement: str, line: str, name: str
 ) -> None:
     assert name_of(statement, line) == name
+
+
+STRUCK = (
+    "sphere A: mass 3m, velocity 4u i\nsphere B: mass 2m, at rest\nA hits B: along i, e = 3/4\n"
+)
+OF_UNITS = STRUCK.replace("3m", "m").replace("2m", "3m")
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "name"),
+    [
+        (STRUCK, "I = 3m × 4.2u = 12.6mu", "masses-exchanged"),
+        (STRUCK, "I = 2m(4u - 1.2u)", "masses-exchanged"),
+        (OF_UNITS, "I = m × 7u/4", "mass-omitted"),
+    ],
+)
+def test_an_impulse_with_the_mass_of_the_other_sphere_is_named(
+    statement: str, line: str, name: str
+) -> None:
+    assert name_of(f"{statement}find impulse", line) == name

@@ -287,7 +287,7 @@ MISCONCEPTIONS: Mapping[str, Misconception] = {
             "The masses are left out though they differ.",
             "Velocities are conserved in place of momentum.",
             "u = v + w",
-            (("momentum", "M0"), ("energy", "M0")),
+            (("momentum", "M0"), ("energy", "M0"), ("impulse", "M0")),
             "A common factor cancelled is right.",
         ),
         Misconception(
@@ -298,7 +298,7 @@ MISCONCEPTIONS: Mapping[str, Misconception] = {
             "Each sphere's velocity is multiplied by the mass of the other.",
             "The lighter sphere behaves as the heavier one.",
             "3 × 2 + 2 × 1 = 3v + 2w, for masses 2 and 3",
-            (("momentum", "M0"),),
+            (("momentum", "M0"), ("impulse", "M0")),
         ),
         Misconception(
             "energy-of-difference",

@@ -54,6 +54,7 @@ from restitution.practice.judging.other_forms import (
     by_energies,
     is_signed,
     same_left,
+    with_across_exchanged,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
 from restitution.practice.judging.support import Support
@@ -74,6 +75,7 @@ NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 _OF_COMPONENTS = frozenset({"momentum", "restitution", "unchanged"})
 """The laws that tell the components after an impact."""
+_OF_OTHER_ANGLE = ("sine-cosine", "angle-from-normal")
 _OF_SPHERES = frozenset({"momentum", "restitution"})
 """The laws along a line of centres."""
 IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
@@ -127,6 +129,7 @@ class Following(OwnValues):
             or self._with_own_fixed(line, link)
             or self._with_own_energies(line, link)
             or self._with_own_components(line, link)
+            or self._with_across_exchanged(line, link)
             or self._in_units(line, link, self.students(), "follows")
             or self._under_own_condition(line, link)
             or self._of_own_speeds(line, link)
@@ -243,6 +246,26 @@ class Following(OwnValues):
                     if grade is not None:
                         sources = sources_of(claim, self.entries)
                         return JudgedLink("follows", claim, grade, sources)
+        return None
+
+    def _with_across_exchanged(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A speed with sine and cosine exchanged across the line as well, where they are along."""
+        numbers = tuple(
+            number
+            for number, one in self._explained.items()
+            if any(variant.mistake in _OF_OTHER_ANGLE for variant in one.variants)
+        )
+        for claim in self._in_all_meanings(link, line) if numbers else ():
+            left = claim.left
+            meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else left
+            other = None if meant is None else with_across_exchanged(meant)
+            if other is None or other == meant:
+                continue
+            for world in self.students():
+                grade = self.accuracy(replace(claim, left=other), world, line, link)
+                if grade is not None:
+                    sources = sources_of(claim, self.entries)
+                    return JudgedLink("follows", claim, grade, sources or numbers)
         return None
 
     def _under_own_condition(self, line: ScriptLine, link: Link) -> JudgedLink | None:

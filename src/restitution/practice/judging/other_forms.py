@@ -333,6 +333,25 @@ def is_oblique(axis: Expression, world: World) -> bool:
     return bool(parts) and all(bool(np.all(np.abs(world.spread(x)) > _OBLIQUE)) for x in parts)
 
 
+def with_across_exchanged(tree: Expression) -> Expression:
+    """A quantity in which a speed has what was along the line before in place of that across.
+
+    Who exchanges sine and cosine along the line does so across it.
+    """
+    put: dict[Expression, Expression] = {}
+    for node in walk(tree):
+        match node:
+            case Quantity("speed", (Name(),) as body, int(stage)) if stage:
+                line = Quantity("line_of_centres", (), stage)
+                parts = (
+                    Quantity("along", (Quantity("velocity", body, when), line))
+                    for when in (stage, stage - 1)
+                )
+                one, other = (Binary("^", part, Number(Fraction(2))) for part in parts)
+                put[node] = Apply("sqrt", Binary("+", one, other))
+    return exchanged(tree, put)
+
+
 def is_impulse(tree: Expression, meanings: Meanings) -> bool:
     """Whether a side is the size of an impulse."""
     if isinstance(tree, Letter):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import permutations
 
@@ -13,10 +14,12 @@ from restitution.expression.tree import (
     COMPONENTS,
     Binary,
     Expression,
+    Letter,
     Name,
     Negate,
     Number,
     Quantity,
+    is_function,
     is_quantity,
     unsigned,
     walk,
@@ -55,6 +58,55 @@ def is_impulse_of_speeds(entry: Entry, world: World) -> bool:
                 ):
                     return True
     return False
+
+
+def is_impulse_of_other_mass(entry: Entry, world: World) -> bool:
+    """Whether an impulse is the change of velocity of one sphere times the mass of the other.
+
+    A mass of one unit, *m*, may be one left out.
+    """
+    return any(not unit for unit in _other_masses(entry, world))
+
+
+def is_impulse_of_unit_mass(entry: Entry, world: World) -> bool:
+    """Whether the mass of the other sphere in an impulse is one unit, as if it were left out."""
+    return any(_other_masses(entry, world))
+
+
+def _other_masses(entry: Entry, world: World) -> Iterator[bool]:
+    """Whether the mass of another sphere by which an impulse is worked out is one unit."""
+    left = entry.claim.left
+    if is_function(left, "abs"):
+        entry = replace(entry, claim=replace(entry.claim, left=left.argument))
+    meant = unsigned(meant_by(entry))
+    if not is_quantity(meant, "impulse") or len(world.start) != 2:
+        return
+    number = meant.stage if isinstance(meant.stage, int) else len(world.events)
+    if number not in world.lines:
+        return
+    line = Quantity("line_of_centres", (), number)
+    for body, other in permutations(world.start):
+        own, mass = (Quantity("mass", (Name(name),)) for name in (body, other))
+        if _are_near(own, mass, entry, world):
+            continue
+        along = [
+            Quantity("along", (Quantity("velocity", (Name(body),), stage), line))
+            for stage in (number - 1, number)
+        ]
+        change = Binary("*", mass, Binary("-", along[1], along[0]))
+        if not _are_near(entry.claim.right, change, entry, world):
+            continue
+        momenta = [Binary("*", mass, part) for part in along]
+        terms = [pair for one in _two_terms(entry.claim.right) for pair in permutations(one)]
+        both = any(
+            _are_near(one, momenta[0], entry, world) and _are_near(two, momenta[1], entry, world)
+            for one, two in terms
+        )
+        shown = list(walk(entry.claim.right))
+        shown = [] if any(_are_near(x, own, entry, world) for x in shown) else shown
+        if both or any(_are_near(x, mass, entry, world) for x in shown):
+            masses = {sphere.name: sphere.mass for sphere in world.problem.spheres}
+            yield isinstance(masses[other], Letter) or masses[other] == Number(Fraction(1))
 
 
 def is_change_of_momentum(impulse: Expression, value: Expression, world: World) -> bool:

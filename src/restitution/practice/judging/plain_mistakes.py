@@ -42,7 +42,12 @@ from restitution.practice.judging.plain_energies import (
     is_of_exchanged_squares,
     is_tangent_inverted,
 )
-from restitution.practice.judging.plain_impulses import is_impulse_of_speeds, is_impulse_reversed
+from restitution.practice.judging.plain_impulses import (
+    is_impulse_of_other_mass,
+    is_impulse_of_speeds,
+    is_impulse_of_unit_mass,
+    is_impulse_reversed,
+)
 from restitution.practice.judging.plain_laws import SHOWN
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.squares import is_square_of_a_size, is_worth
@@ -661,6 +666,8 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_of_exchanged_squares, "restitution-parallel"),
     (is_impulse_reversed, "impulse-sign"),
     (is_impulse_of_speeds, "impulse-of-speeds"),
+    (is_impulse_of_other_mass, "masses-exchanged"),
+    (is_impulse_of_unit_mass, "mass-omitted"),
     (_is_angle_of_other_wall, "second-wall-angle"),
     *SHOWN,
 )

@@ -177,8 +177,13 @@ class Grounds:
         return named and line.verdict == "false"
 
     def _is_quoted(self, line: JudgedLine) -> bool:
-        """Whether a line gives a letter, in its first line, a value and no more."""
+        """Whether a line gives a letter, in its first line, a value and no more.
+
+        An energy is worked out where it is needed.
+        """
         if not is_plain(line) or self._has_lost_law(line):
+            return False
+        if line.uses and line.uses[0].principle == "energy":
             return False
         lefts = {link.readings[0].left for link in line.line.links}
         above = [other for other in self.lines if other.line.number < line.line.number]

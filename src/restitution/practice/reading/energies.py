@@ -32,17 +32,22 @@ def energy_links(
     scope: Scope,
     usage: Usage,
     problem: Problem,
+    *,
+    known: bool = False,
 ) -> tuple[Link, ...]:
-    """The relations of a line under *before* or *after*: its energy is that of the stage."""
+    """The relations of a line under *before* or *after*: its energy is that of the stage.
+
+    It is ``known`` of some lines that they are energies, whatever they look like.
+    """
     if scope.stage is None or (links and values):
         return links
     first = links[0].readings[0] if links else None
     if first is None and len(values) != 1:
         return links
     energy = values[0] if first is None else first.left
-    if not _is_energy(energy) or not letters(energy) <= usage.letters:
+    if not known and (not _is_energy(energy) or not letters(energy) <= usage.letters):
         return links
-    if _may_be_a_component(energy, problem) or not _has_squares(energy, problem):
+    if not known and (_may_be_a_component(energy, problem) or not _has_squares(energy, problem)):
         return links
     readings = tuple(Claim(name, "=", energy) for name in _names(scope, problem))
     if not links:

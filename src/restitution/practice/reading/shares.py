@@ -35,6 +35,10 @@ LOST = re.compile(
     r"^\s*(?:(?:so|hence|∴)\s+)?([^:,;]*\d[^:,;]*?|[½⅓⅔¼¾])\s*J?\s+(?:is\s+|are\s+)?lost\s*$",
     re.IGNORECASE,
 )
+SHARE_LOST_IS = re.compile(
+    r"^\s*(?:so\s+)?(\(?\d[\d./]*\)?(?:\s*/\s*\(?\d[\d./]*\)?)?)\s+(?:is\s+)?lost\s*=\s*(?=[\d(.½⅓⅔¼¾])",
+    re.IGNORECASE,
+)
 SO_LOST = re.compile(
     rf"\s*,?\s*{_SO}\s+([½⅓⅔¼¾]|\(?\d+/\d+\)?|0?\.\d+)\s+(?:(?:is|was)\s+)?lost\s*$", re.IGNORECASE
 )
@@ -77,6 +81,12 @@ def lost(match: re.Match[str], problem: Problem) -> str:
     if any(shares) != all(shares):
         return match[0]
     return f"{'fraction' if all(shares) else 'KE'} lost = {match[1]}"
+
+
+def share_lost_is(match: re.Match[str], problem: Problem) -> str:
+    """The share lost that a line goes on to work out, where one is asked: ``8/12 lost = 2/3``."""
+    as_whole = lost(re.compile(r"^(.*)$").match(match[1]), problem)  # type: ignore[arg-type]
+    return f"{as_whole} = " if as_whole.startswith("fraction") else match[0]
 
 
 def so_lost(match: re.Match[str], problem: Problem) -> str:

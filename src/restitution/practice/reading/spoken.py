@@ -328,6 +328,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (shares.SIZE_OF_A_VECTOR, shares.size_of_a_vector),
     (shares.SHARE_OF_ENERGY, shares.share_of_energy),
     (shares.LOST, shares.lost),
+    (shares.SHARE_LOST_IS, shares.share_lost_is),
     (shares.SO_LOST, shares.so_lost),
     (shares.SPEEDS, shares.speeds_of_bodies),
     (shares.ROOT_OF_A_BODY, shares.root_of_a_body),

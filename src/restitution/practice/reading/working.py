@@ -15,6 +15,7 @@ from dataclasses import replace
 from restitution.practice.reading.chains import Past, Statements
 from restitution.practice.reading.characters import Plain, plain
 from restitution.practice.reading.energies import energy_links
+from restitution.practice.reading.energy_lines import with_energy_labels
 from restitution.practice.reading.headings import (
     case_of,
     crossed,
@@ -84,9 +85,11 @@ def _read(
     typed: Sequence[tuple[int, str]], plains: Sequence[Plain], problem: Problem, usage: Usage
 ) -> Script:
     reader = _Reader(problem, usage)
-    script_lines = [
-        reader.line(number, line, shown) for (number, line), shown in zip(typed, plains)
-    ]
+    plains, energies = with_energy_labels(plains, problem)
+    script_lines = []
+    for place, ((number, line), shown) in enumerate(zip(typed, plains)):
+        reader.of_energy = place in energies
+        script_lines.append(reader.line(number, line, shown))
     if len(typed) > MAX_LINES:
         number, line = typed[MAX_LINES]
         fault = f"a working has at most {MAX_LINES} lines: this one and those below are not read"
@@ -103,6 +106,7 @@ class _Reader:
         self.scope: Scope = ANYWHERE
         self.cases = 0
         self.past = Past()
+        self.of_energy = False
 
     def line(self, number: int, typed: str, line: Plain) -> ScriptLine:
         """One line, read."""
@@ -165,7 +169,14 @@ class _Reader:
     ) -> ScriptLine:
         if statements.body and scope.body is None:
             scope = replace(scope, body=statements.body)
-        links = energy_links(statements.links, statements.values, scope, self.usage, self.problem)
+        links = energy_links(
+            statements.links,
+            statements.values,
+            scope,
+            self.usage,
+            self.problem,
+            known=self.of_energy,
+        )
         values = statements.values if links == statements.links else ()
         kind: LineKind = "remark"
         if links:

@@ -1,0 +1,68 @@
+"""Lines of energies that say only when: ``before = 54.5``, ``after = 35.3``, ``lost 19.2 J``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from restitution.expression.tree import Quantity, is_binary, walk
+from restitution.practice.reading.characters import Plain
+from restitution.problem import Find, Problem, trees_of_step
+
+_TITLE = r"(?:(?:(?:kinetic\s+)?energy|KE|loss|lost)\b[^:=]{0,30}:\s*)?"
+_STAGE = re.compile(
+    rf"\s*{_TITLE}(?:so\s+)?(?:total\s+)?(before|after)(?:wards)?\s*[:=]?\s*(?=[\d(.√])(?!.*:)",
+    re.IGNORECASE,
+)
+_JOULES = re.compile(r"\d\s*(?:J|joules?)\b")
+# What an energy is written with: numbers, masses and speeds, and no unit vectors.
+_AMOUNT = re.compile(r"(?:[\d\s.+*/x·÷()^²=√|-]|(?<![A-Za-z])[emMuUkv]{1,3}(?![A-Za-z])|J\b)+")
+_HALF = re.compile(r"(?<!\d)1/2(?!\d)|½|(?<!\d)0?\.5(?!\d)")
+_LOSS = re.compile(r"\b(?:los[st]|loss|loses|gain(?:ed)?|difference)\b", re.IGNORECASE)
+
+
+def with_energy_labels(
+    lines: Sequence[Plain], problem: Problem
+) -> tuple[Sequence[Plain], frozenset[int]]:
+    """The lines with ``before:`` for ``before =``, and the places of those that are energies.
+
+    They are where the question asks for an energy, there is a line of each stage, and they are
+    halves of products, in joules, or followed by what is lost. Of a share that is asked numbers
+    alone may be in other units.
+    """
+    asked = [tree for tree in _asked(problem) if _is_of_energy(tree)]
+    staged = {
+        place: match
+        for place, line in enumerate(lines)
+        if (match := _STAGE.match(line.text)) and _AMOUNT.fullmatch(line.text[match.end() :])
+    }
+    if not asked or len({match[1].lower() for match in staged.values()}) < 2:
+        return lines, frozenset()
+    texts = [lines[place].text[match.end() :] for place, match in staged.items()]
+    halved = all(_HALF.search(text) for text in texts)
+    joules = any(_JOULES.search(line.text) for line in lines)
+    whole = not any(is_binary(tree, "/") for tree in asked)
+    lost = whole and any(_LOSS.search(line.text) for line in lines)
+    if not (halved or joules or lost):
+        return lines, frozenset()
+    labelled = [
+        _labelled(line, staged[place]) if place in staged else line
+        for place, line in enumerate(lines)
+    ]
+    return labelled, frozenset(staged) if joules or lost else frozenset()
+
+
+def _labelled(line: Plain, match: re.Match[str]) -> Plain:
+    """A line with its stage as a label."""
+    label = f"{match[1].lower()}: "
+    columns = (line.columns[match.start(1)],) * len(label) + line.columns[match.end() :]
+    return Plain(label + line.text[match.end() :], columns)
+
+
+def _asked(problem: Problem) -> Sequence[object]:
+    finds = (step for _, step in problem.steps() if isinstance(step, Find))
+    return [tree for step in finds for tree in trees_of_step(step)]
+
+
+def _is_of_energy(tree: object) -> bool:
+    return any(isinstance(node, Quantity) and "energy" in node.kind for node in walk(tree))  # type: ignore[arg-type]

@@ -1,0 +1,35 @@
+"""Energies of which a line says only when, and shares of them."""
+
+from __future__ import annotations
+
+import pytest
+from marked import verdicts
+
+_LOSS = (
+    "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 3, velocity -i + 4j\n"
+    "A hits B: along i, e = 1/3\nfind energy_lost"
+)
+_SHARE = _LOSS.replace("energy_lost", "energy_lost/energy(0)")
+
+
+@pytest.mark.parametrize("label", ["before = {}", "before {}", "total before: {}", "before {} J"])
+def test_an_energy_may_say_only_when(label: str) -> None:
+    lines = [label.format("54.5"), label.replace("before", "after").format("35.3"), "lost 19.2 J"]
+    assert verdicts(_LOSS, *lines) == ["true", "true", "true"]
+
+
+def test_what_is_lost_follows_from_a_wrong_energy() -> None:
+    after = "after = 1/2 x 2 x 4.04 + 1/2 x 3 x 20.84 = 34.3"
+    lines = ["before = 1/2 x 2 x 29 + 1/2 x 3 x 17 = 54.5", after, "lost = 20.2"]
+    assert verdicts(_LOSS, *lines) == ["true", "false", "follows"]
+
+
+def test_numbers_before_and_after_are_no_energies_where_a_share_is_asked() -> None:
+    """They may count in other units: 109 and 70.6 halves of a joule."""
+    lines = ["before 109", "after 70.6", "lost 38.4/109 = 0.352"]
+    assert "false" not in verdicts(_SHARE, *lines)
+
+
+def test_a_share_is_worked_out_behind_what_is_lost() -> None:
+    assert verdicts(_SHARE, "19.2/54.5 lost = 0.352") == ["true"]
+    assert verdicts(_SHARE, "19.2/54.5 lost = 0.452") == ["false"]
