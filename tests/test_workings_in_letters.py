@@ -68,6 +68,41 @@ show direction(W) parallel to i + j
         ["At right angles to the normal: (ii) W is parallel to 𝐢 + 𝐣 (as required)"],
         ["not written out", "So W is"],
     ),
+    "a multiple of an equation is shown before that is solved": (
+        WALL
+        + """P hits W: e = 1/3
+given tan(deflection(P)) = 2
+part a
+show 2tan^2(alpha) + 4tan(alpha) - 6 = 0
+part b
+find alpha
+""",
+        [
+            "Since tan δ = 2, substituting for tan β: 2 = (tan α + ⅓ tan α)/(1 − ⅓ tan²α)",
+            "3 − tan²α = 2 tan α 2 tan²α + 4 tan α − 6 = 0 (as required)",
+            ": tan²α + 2 tan α − 3 = 0 (tan α − 1)(tan α + 3) = 0",
+        ],
+        ["scalar product"],
+    ),
+    "a deflection at a wall is the sum of two angles, whatever tells the path": (
+        """
+wall W: along j
+sphere P: mass m, velocity u i + 2u j
+P hits W
+show tan(deflection(P)) = 2(1 + e)/(4 - e)
+""",
+        ["δ = β + θ", "tan δ = (½ + e/2)/(1 − e/4) = 2(1 + e)/(4 − e) (as required)"],
+        ["vector product"],
+    ),
+    "the tangent of an angle less some degrees is that of a difference": (
+        WALL + "P hits W: e = 1/3\ngiven angle(velocity(P), W) = alpha - 30°\nfind alpha\n",
+        [
+            "By the formula for the tangent of a difference: (tan α − √3/3)/(1 + (√3/3) tan α)",
+            "tan²α − 2√3 tan α + 3 = 0",
+            "α = 60°",
+        ],
+        ["sin²α"],
+    ),
 }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -24,7 +24,7 @@ from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_da
 from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.formulas.turns import Form
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
-from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
@@ -46,31 +46,76 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
     return number
 
 
+def given_tangent_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
+    """The equation of the tangent of a deflection that is given, by those of the angles to a wall.
+
+    None of what is no impact with a wall, or where the path has no angle to that.
+    """
+    match equation.link.left:
+        case Apply("tan", Quantity("deflection", _, int(event)) as asked):
+            frame = scene.frame(event) if event in scene.model.frames else None
+        case _:
+            return None
+    if frame is None or frame.wall is None:
+        return None
+    mark = scene.desk.mark()
+    own = sum_at_a_wall(scene, asked, frame)
+    if own is None:
+        return None
+    turned, meaning = letter_of(scene, asked)
+    value, refs = scene.put(scene.scalar(equation.link.right))
+    put = tree_of(value), together(equation.refs, refs, (meaning,))
+    number = by_tangents(scene, own[0], "sum", own[1], Apply("tan", Letter(turned)), put)
+    if number is None:
+        scene.desk.back(mark)
+    return number
+
+
 def sum_at_a_wall(
     scene: Scene, asked: Quantity, frame: Frame
 ) -> tuple[int, tuple[Term, Term]] | None:
     """The line that adds the angles to a wall before and after, with their tangents.
 
-    None where the angle before is not given as a letter or in degrees.
+    That before has a letter where it is not given as one or in degrees. None where the velocity
+    before has no component towards the wall, or none along it.
     """
     (name,) = asked.arguments
     assert isinstance(name, Name)
-    angle = angle_of_approach(scene, name.name, frame)
-    if angle is None or frame.wall is None:
+    if frame.wall is None:
         return None
-    velocity = Quantity("velocity", (name,), frame.number)
-    after = Quantity("angle", (velocity, Name(frame.wall)))
-    own = formula(scene, after)
-    line, letter = tangent_line(scene, after, own, own.move)
+    move = Move("define", "sum", frame.number, (name.name,))
+    angle = angle_of_approach(scene, name.name, frame)
+    if angle is not None:
+        before, refs = term_of_data(scene, angle), data_of_approach(scene, name.name, frame)
+    else:
+        named = _named(scene, name, frame, frame.number - 1)
+        if named is None:
+            return None
+        before, refs = named
+    late = _named(scene, name, frame, frame.number)
+    if late is None:
+        return None
+    after, more = late
     turned, meaning = letter_of(scene, asked)
-    _, meant = letter_of(scene, after)
-    number = scene.desk.write(
-        Move("define", "sum", frame.number, (name.name,)),
-        together(data_of_approach(scene, name.name, frame), (meant, meaning)),
-        chain(Letter(turned), (Binary("+", angle, Letter(letter)), None)),
-    )
+    relation = chain(Letter(turned), (Binary("+", before.angle, after.angle), None))
+    number = scene.judge.write((move,), together(refs, more, (meaning,)), relation)
+    return None if number is None else (number, (before, after))
+
+
+def _named(
+    scene: Scene, name: Name, frame: Frame, stage: int
+) -> tuple[Term, tuple[Ref, ...]] | None:
+    """The angle of a path to a wall by its letter, with its tangent, and what that letter is."""
+    assert frame.wall is not None
+    velocity = Quantity("velocity", (name,), scene.last_event(name.name, stage))
+    angle = Quantity("angle", (velocity, Name(frame.wall)))
+    try:
+        own = formula(scene, angle)
+    except NotPlannedError:
+        return None
+    line, letter = tangent_line(scene, angle, own, own.move)
     value = scene.desk.last_link(line).right
-    return number, (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
+    return Term(Letter(letter), value, (line,)), (letter_of(scene, angle)[1],)
 
 
 def given_at_a_wall(

@@ -63,6 +63,7 @@ from restitution.planning.closing.square_roots import (
     squares_collected,
 )
 from restitution.planning.closing.squares_apart import with_squares_apart
+from restitution.planning.closing.tangents_of_sums import tangent_of_a_sum
 from restitution.planning.closing.zeros_of_sums import zero_of_a_sum
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
@@ -541,6 +542,7 @@ SHAPES: tuple[Shape, ...] = (
     _by_one_root,
     in_squares,
     zero_of_a_sum,
+    tangent_of_a_sum,
     sum_of_angles,
     ratio,
     _without_a_factor,

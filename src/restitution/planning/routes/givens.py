@@ -44,7 +44,7 @@ from restitution.planning.angles.lines_between import (
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.related_tangents import write_by_tangent, write_tangents
-from restitution.planning.angles.wall_turns import related_at_a_wall
+from restitution.planning.angles.wall_turns import given_tangent_at_a_wall, related_at_a_wall
 from restitution.planning.axes.given_momenta import write_impulse
 from restitution.planning.axes.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.closing.excluded_roots import senses
@@ -208,7 +208,7 @@ def _of_an_angle(scene: Scene, given: GivenEquation) -> int | None:
         case Apply("tan", Quantity(kind) as angle) if kind in UNSIGNED_ANGLES and not has_quantity(
             own.right
         ):
-            line = given_turn(scene, given)
+            line = given_turn(scene, given) or given_tangent_at_a_wall(scene, given)
             if line is not None:
                 return line
             if angle.kind == "deflection":

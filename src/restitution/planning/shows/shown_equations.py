@@ -231,18 +231,49 @@ class ShownEquation(ShownAngles):
 
     def _on_the_way(self, above: int) -> int | None:
         """What is to be shown, by a line on the way to a letter of it, before that is solved."""
-        for number in reversed([equation for equation in self._equations() if equation > above]):
+        numbers = [equation for equation in self._equations() if equation > above]
+        multiples = filter(self._is_multiple, numbers)
+        if (line := next(filter(None, map(self._instead_of_solving, multiples)), None)) is not None:
+            return line
+        for number in reversed(numbers):
             relation = self.scene.desk.relation(number)
             if len(relation.options) > 1 or isinstance(relation.only[0].left, Letter):
                 continue
             own = self.scene.desk.last_link(number)
-            if alike(own.left, self.link.right) and alike(own.right, self.link.left):
-                continue  # it says so from the other side
+            if self._is_turned(own):
+                continue
             known = self.judge.known(letters(own.left) | letters(own.right))
             line = self.judge.write(_TO_CLEAR, [number, *known], self.relation)
             if line is not None:
                 return line
         return None
+
+    def _is_turned(self, own: Link) -> bool:
+        """Whether a link says what is to be shown from the other side."""
+        return alike(own.left, self.link.right) and alike(own.right, self.link.left)
+
+    def _is_multiple(self, number: int) -> bool:
+        """Whether what is to be shown is a multiple of an equation: then nothing is solved."""
+        relation = self.scene.desk.relation(number)
+        link = relation.options[0][-1]
+        if len(relation.options) > 1 or link.sign != "=" or self._is_turned(link):
+            return False
+        if has_quantity(link.left) or has_quantity(link.right):
+            return False
+        own, shown = (
+            self.scene.scalar(e.left) - self.scene.scalar(e.right) for e in (link, self.link)
+        )
+        return expanded(own) != 0 and sp.cancel(shown / own).is_number
+
+    def _instead_of_solving(self, number: int) -> int | None:
+        """What is to be shown, from a multiple of it, in place of what stands below that."""
+        desk, names = self.scene.desk, letters(self.link.left) | letters(self.link.right)
+        pool = [number, *self.judge.known(names)]
+        if not self.judge.follows(Move("rearrange"), [number], self.relation):
+            return None
+        while len(desk.lines) > number:
+            desk.take_last()
+        return self.judge.write((Move("rearrange"),), pool, self.relation)
 
     def _by_its_letter(self) -> int | None:
         """What the working has a letter for, by the line that says what that is."""
