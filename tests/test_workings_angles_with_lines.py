@@ -44,6 +44,50 @@ SAYS = {
         ),
         ("A moves at 70° − 30° = 40° to the line of centres.", "2 × 5 cos 40° = 2v + 3w"),
     ),
+    "a wall at more than 45°": (
+        (
+            "wall AB: along i\nwall BC: along 70°\nsphere P: velocity 5 at 50° to AB\n"
+            "P hits AB: e = 0.7\nP hits BC: e = 0.6\nfind speed(P)"
+        ),
+        (
+            "component of 𝐯₁ towards BC = 5 sin 70° cos 50° − 3.5 sin 50° cos 70°",
+            "= 5 cos 50° cos 70° + 3.5 sin 50° sin 70° ≈ 3.619 m s⁻¹",
+        ),
+    ),
+    "a path at right angles to i": (
+        "wall W: along 50°\nsphere P: velocity -7j\nP hits W: e = 3/4\nfind speed(P)",
+        ("P moves at 180° − (50° + 90°) = 40° to W.", "¾ × 7 sin 40° = (21/4) sin 40°"),
+    ),
+    "the angle at the next wall with a calculator": (
+        (
+            "wall AB: along i\nwall BC: along 70°\nsphere P: velocity 8 at 40° to AB\npart a\n"
+            "P hits AB: e = 0.5\nfind speed(P), angle(velocity(P), AB)\npart b\n"
+            "P hits BC: e = 0.6\nfind speed(P)"
+        ),
+        (
+            "angle between 𝐯₁ and BC ≈ 70° − 22.76° ≈ 47.24°",
+            "component of 𝐯₁ towards BC ≈ 6.646 sin 47.24° ≈ 4.879 m s⁻¹",
+            "component of 𝐯₁ parallel to BC ≈ 6.646 cos 47.24° ≈ 4.512 m s⁻¹",
+            "does not change: the component stays 4.512 m s⁻¹.",
+        ),
+    ),
+    "two paths with a line of centres": (
+        (
+            "sphere A: mass 1, velocity 6i\nsphere B: mass 2, velocity 4 at 180° - 48°\n"
+            "A hits B: along 20°, e = 0.3\nfind speed(B)"
+        ),
+        (
+            "B moves at 180° − (132° − 20°) = 68° to the line of centres.",
+            "≈ √(1.594² + (4 sin 68°)²) ≈ 4.04 m s⁻¹",
+        ),
+    ),
+    "the complement of an angle": (
+        (
+            "sphere A: mass 1, velocity 6i\nsphere B: mass 2, velocity 4j\n"
+            "A hits B: along 20°, e = 0.3\nfind speed(B)"
+        ),
+        ("the component of B stays 4 sin 70° m s⁻¹", "≈ √(3.218² + (4 sin 70°)²) ≈ 4.95 m s⁻¹"),
+    ),
     "an angle that was shown": (
         (
             "wall AB: along i\nwall BC: along 75°\nsphere P: mass m, velocity u at 60° to AB\n"

@@ -42,9 +42,11 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figures import (
     FIGURES_BETWEEN,
     Figures,
+    degrees_of,
     has_plain_angles,
     is_by_calculator,
     is_figures,
+    is_sum_with_inverse,
     of_plain_angles,
     plain_angles,
 )
@@ -597,6 +599,10 @@ class Chains:
         in_letters = self._figures.in_letters(right) if end is None and not unit else None
         if in_letters is not None and links[-1].sign == "=" and is_value(left):
             printed = self._as_printed(right, sides[-1]) or right
+            if put is not None and sides[-1] != self._naming.layout(put) and printed == right:
+                printed = (
+                    negative(right) if turned_side(self._naming.layout(put)) == sides[-1] else right
+                )
             self._figures.note(right)
             multiple = self._naming.layout(self._figures.in_letters(printed) or in_letters)
             if multiple != sides[-1]:
@@ -617,6 +623,10 @@ class Chains:
                 if figures != sides[-1]:
                     sides.append(figures)
                     signs.append("≈")
+        elif end is None and self._figures.with_calculator and is_sum_with_inverse(right):
+            degrees = degrees_of(right)
+            sides += [self._naming.layout(degrees)] if degrees else []
+            signs += ["≈"] if degrees else []
         nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
@@ -659,9 +669,9 @@ def _is_multiple(side: lay.Layout) -> bool:
     if isinstance(side, lay.Sum) and len(side.terms) == 1:
         side = side.terms[0][1]  # a negative one
     factors = side.factors if isinstance(side, lay.Product) else (side,)
+    open_ = lay.Sum | lay.Fraction | lay.Brackets | lay.Number | lay.Function | lay.Product
     return isinstance(factors[0], lay.Number) and not any(
-        isinstance(factor, lay.Sum | lay.Fraction | lay.Brackets | lay.Number)
-        for factor in factors[1:]
+        isinstance(factor, open_) for factor in factors[1:]
     )
 
 

@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Unit,
+    is_binary,
     letters,
     unsigned,
     walk,
@@ -29,7 +30,7 @@ def turn_of_path(velocity: Fact | None) -> Expression | None:
     right = None if velocity is None else velocity.relation.only[-1].right
     match right:
         case Polar(_, angle, None, None):
-            return angle if _is_plain(angle) else None
+            return angle if _is_plain(angle) else _worked_out(angle)
         case None:
             return None
     units = {node.axis for node in walk(right) if isinstance(node, Unit)}
@@ -40,6 +41,14 @@ def turn_of_path(velocity: Fact | None) -> Expression | None:
         return None
     turn = Fraction(180 if back else 0) if units == {"i"} else Fraction(-90 if back else 90)
     return Negate(Degrees(-turn)) if turn < 0 else Degrees(turn)
+
+
+def _worked_out(angle: Expression) -> Expression | None:
+    """A sum of degrees as one number, as 132° for 180° − 48°; None of another angle."""
+    if not all(isinstance(node, Degrees) or is_binary(node, "+", "-") for node in walk(angle)):
+        return None
+    size = degrees_of(angle)
+    return Negate(Degrees(-size)) if size < 0 else Degrees(size)
 
 
 def _is_behind(velocity: Expression) -> bool | None:

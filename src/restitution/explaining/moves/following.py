@@ -27,6 +27,7 @@ from restitution.explaining.steps.solving import solves
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     EXACT_ANGLE,
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -35,6 +36,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_binary,
+    is_function,
     is_quantity,
     letters,
     walk,
@@ -49,11 +52,28 @@ def follows(step: Step, relation: Relation) -> bool:
     """
     if _follows(step, relation):
         return True
-    if step.move.id != "law" or not _gives_a_number(relation):
+    if step.move.id != "law":
         return False
-    several = len(set(_plain_degrees(step, relation))) > 1
     by_degrees = frozenset({*step.identities, "degrees"})
-    return several and _follows(step.under(identities=by_degrees), relation)
+    if (
+        _gives_a_number(relation)
+        and len(set(_plain_degrees(step, relation))) > 1
+        and _follows(step.under(identities=by_degrees), relation)
+    ):
+        return True
+    by_sums = frozenset({*step.identities, "sum"})
+    return _has_inverses(step) and _follows(step.under(identities=by_sums), relation)
+
+
+def _has_inverses(step: Step) -> bool:
+    """Whether a line that is cited has the ratio of a sum with the inverse of one in it."""
+    return any(
+        isinstance(node, Apply)
+        and is_binary(node.argument, "+", "-")
+        and any(is_function(part, "arctan") for part in walk(node.argument))
+        for link in step.links
+        for node in walk(link.right)
+    )
 
 
 def _gives_a_number(relation: Relation) -> bool:

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy, tidy_angle
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.definitions.next_walls import made_of
-from restitution.explaining.lines.derivation import Move, Ref, Showing
+from restitution.explaining.lines.derivation import Move, MoveId, Ref, Showing
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -31,6 +31,8 @@ from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import negative, product, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
+
+_RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
 def angle_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Source | None:
@@ -66,8 +68,13 @@ def _is_plain(scene: Scene, angle: Source) -> bool:
     """Whether an angle is a number of degrees, or made of letters for angles that are given."""
     value = sp.sympify(angle.value, strict=True)
     if value.is_number:
-        return bool(sp.sympify(value / sp.pi, strict=True).is_Rational)
+        return _is_by_calculator(value) or bool(sp.sympify(value / sp.pi, strict=True).is_Rational)
     return value.is_polynomial(*value.free_symbols) and not scene.unknown(value)
+
+
+def _is_by_calculator(angle: sp.Expr) -> bool:
+    """Whether an angle is made of the inverse of a tangent that only a calculator knows."""
+    return any(inverse.has(*_RATIOS) for inverse in angle.atoms(sp.atan))
 
 
 def _kept(scene: Scene, asked: Quantity, body: str, stage: int) -> Source | None:
@@ -112,19 +119,28 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
     letters_in = {name for tree in (here, there) for name in letters(tree)}
     pool = together(known.refs, walls, _ranges(scene, letters_in | _names(known)))
     move = Move("define", "difference", stage, (body,))
+    by_calculator = _is_by_calculator(known.value)
+    size = _on_paper(scene, known, "inverse") if by_calculator else tree_of(known.value, angle=True)
     for sense in (1, -1):
         for difference in made_of(here, there, first, sense):
-            tree = exchanged(difference, {first: tree_of(known.value, angle=True)})
-            value = tidy_angle(scene.scalar(tree))
+            tree = exchanged(difference, {first: size})
+            value = scene.scalar(tree) if by_calculator else tidy_angle(scene.scalar(tree))
             if value.is_number and not 0 <= value <= sp.pi / 2:
                 continue
-            final = tree_of(value, angle=True, as_it_is=True)
+            final = tree if by_calculator else tree_of(value, angle=True, as_it_is=True)
             relation = chain(asked, (tree, None), (final, "rearrange"))
             refs = scene.judge.needed(move, pool, relation, known.refs)
             if refs is not None:
                 return scene.desk.know(asked, value, (scene.desk.write(move, refs, relation),))
     scene.desk.back(mark)
     return None
+
+
+def _on_paper(scene: Scene, known: Source, *moves: MoveId) -> Expression:
+    """What stands as a line by one of the moves says it."""
+    lines = (scene.desk.line(ref) for ref in known.refs if isinstance(ref, int))
+    sides = (scene.desk.last_link(e.number).right for e in lines if e.move.id in moves)
+    return next(sides, tree_of(known.value, angle="inverse" in moves))
 
 
 def _names(angle: Source) -> frozenset[str]:
@@ -178,7 +194,9 @@ def _by_angle(
     ratio = (sp.sin if kind == "along" else sp.cos)(angle.value)
     size = speed.value * ratio
     sign = -1 if scene.model.sign(value) < 0 else 1
-    form = product(tree_of(speed.value), Apply(function, tree_of(angle.value, angle=True)))
+    by_calculator = _is_by_calculator(angle.value)
+    whole = _on_paper(scene, speed, "define") if by_calculator else tree_of(speed.value)
+    form = product(whole, Apply(function, tree_of(angle.value, angle=True)))
     if angle.value == sp.pi / 2:
         form = tree_of(tidy(size))  # it strikes the wall at right angles
     form = form if sign == 1 else negative(form)

@@ -8,8 +8,17 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
+from restitution.explaining.data.paths_and_lines import turn_of_path
 from restitution.explaining.lines.derivation import Fact, Ref
-from restitution.expression.tree import Expression, Name, Negate, Quantity, Unit
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    Expression,
+    Name,
+    Negate,
+    Quantity,
+    Unit,
+    unsigned,
+)
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.records import dataclass
 from restitution.vector import Vector
@@ -107,5 +116,14 @@ def frame_of(model: Model, facts: dict[str, Fact], number: int) -> Frame:
     size = model.story.size(direction)
     n = Vector(tidy(direction.x / size), tidy(direction.y / size))
     sign = 1 if model.sign(n.dot(own.n)) > 0 else -1
+    if own.wall is not None and not _is_along_j(facts, model, number):
+        n = own.n if sign > 0 else -own.n  # in sines and cosines of the angle of the wall itself
     centres = Quantity("line_of_centres", (), number)
     return Frame(number, own.wall, centres, None, n, n.turned_left(), refs, sign)
+
+
+def _is_along_j(facts: dict[str, Fact], model: Model, number: int) -> bool:
+    """Whether what strikes a wall starts along **j**: its path and the wall make the complement."""
+    (body, *_) = model.happening(number).bodies
+    turn = turn_of_path(facts.get(f"velocity {body}"))
+    return turn is not None and unsigned(turn) == RIGHT_ANGLE

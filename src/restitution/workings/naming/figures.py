@@ -235,6 +235,8 @@ class Figures:
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
         own = figures_of(tree) if self.is_of_roots(tree) else None
+        if self.with_calculator and tree not in self._known and self._is_of_several(tree):
+            own = self._of_size(tree) or own
         return self._known.get(tree, own or tree)
 
     def again(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
@@ -288,6 +290,8 @@ class Figures:
             return tree
         if self.with_calculator and is_sum_with_inverse(tree):
             return angles_in_figures(tree)
+        if self.with_calculator and not outcome:
+            tree = _by_degrees(tree)
         for figures in _FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
             known = exchanged(self._by_value(tree), nested | self._known)
@@ -434,6 +438,19 @@ def angles_in_figures(tree: Expression) -> Expression:
         put = swept(rebuilt(tree, partial(_in_degrees, figures=figures)))
         if degrees_of(put, _FIGURES_OF_ANSWERS) == answer:
             return put
+    return tree
+
+
+def _by_degrees(tree: Expression) -> Expression:
+    """A multiple of a ratio of a sum of angles with its figures: 4.983 sin 52.24°."""
+    match tree:
+        case Negate(operand):
+            return Negate(_by_degrees(operand))
+        case Binary("*", size, Apply(name, angle)) if name in _RATIOS and is_sum_with_inverse(
+            angle
+        ):
+            number = (figures_of(size) if _is_long(size) else None) or size
+            return Binary("*", number, Apply(name, degrees_of(angle) or angle))
     return tree
 
 

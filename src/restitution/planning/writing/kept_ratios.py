@@ -1,0 +1,99 @@
+"""A component by the angle at which a body moves, and not by the complement: 4 sin 70° stays so.
+
+Algebra has 4 cos 20° for it, which a reader would have to recognize.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Line, Relation
+from restitution.explaining.lines.trees import exchanged, rebuilt, trees_of
+from restitution.expression.tree import Apply, Degrees, Expression, walk
+from restitution.oracle import Oracle
+from restitution.planning.writing.desk import chain
+
+_OTHER = {"sin": "cos", "cos": "sin"}
+_RIGHT = 90
+
+
+def with_kept_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working without sides that say the one before them by the complement."""
+    for line in derivation.lines:
+        pair = _pair(line)
+        if pair is not None:
+            derivation = _without(derivation, line, *pair, oracle) or derivation
+    return derivation
+
+
+def _pair(line: Line) -> tuple[Expression, Expression] | None:
+    """The last side of a line and the one before it, where these differ by complements alone."""
+    relation = line.relation
+    if not isinstance(relation, Relation) or len(relation.options) > 1:
+        return None
+    links = relation.only
+    if len(links) < 2 or links[-1].by != "rearrange" or links[-1].sign != "=":
+        return None
+    before, last = links[-2].right, links[-1].right
+    is_same = before != last and rebuilt(before, _complement) == rebuilt(last, _complement)
+    return (last, before) if is_same else None
+
+
+def _complement(tree: Expression) -> Expression:
+    """A cosine of degrees as a sine; any other tree as it is."""
+    match tree:
+        case Apply("cos", Degrees(size)) if 0 < size < _RIGHT:
+            return Apply("sin", Degrees(_RIGHT - size))
+    return tree
+
+
+def _without(
+    derivation: Derivation, line: Line, last: Expression, before: Expression, oracle: Oracle
+) -> Derivation | None:
+    """The working in which a value is that of the side before the last; None where it cannot be."""
+    changed = {line.number: _shortened(line)}
+    for other in derivation.lines:
+        if line.number in other.premises and _has(other, last):
+            changed[other.number] = _put(other, last, before)
+    lines = tuple(changed.get(own.number, own) for own in derivation.lines)
+    ends = tuple(
+        replace(end, answer=_in_relation(end.answer, last, before)) if end.line in changed else end
+        for end in derivation.items
+    )
+    whole = replace(derivation, lines=lines, items=ends)
+    read = reader_of(whole, oracle)
+    return whole if all(map(read.accepts, changed.values())) else None
+
+
+def _shortened(line: Line) -> Line:
+    assert isinstance(line.relation, Relation)
+    first, *links = line.relation.only
+    kept = [first, *links[:-1]]
+    return replace(line, relation=chain(first.left, *((link.right, link.by) for link in kept)))
+
+
+def _has(line: Line, tree: Expression) -> bool:
+    return any(node == tree for own in trees_of(line.relation) for node in walk(own))
+
+
+def _put(line: Line, last: Expression, before: Expression) -> Line:
+    if not isinstance(line.relation, Relation):
+        return line
+    return replace(line, relation=_in_relation(line.relation, last, before))
+
+
+def _in_relation(relation: Relation, last: Expression, before: Expression) -> Relation:
+    put = {last: before}
+    return Relation(
+        tuple(
+            tuple(
+                replace(link, left=exchanged(link.left, put), right=exchanged(link.right, put))
+                for link in links
+            )
+            for links in relation.options
+        )
+    )
+
+
+__all__ = ["with_kept_ratios"]
