@@ -124,3 +124,55 @@ show tan(deflection(A)) = 2tan(alpha)/(1 + 3tan(alpha)^2)"""
     right = "tan(θ - α) = (3t - t)/(1 + 3t²) where t = tan α"
     found = marked(statement, *lines, right, "= 2tan α/(1 + 3tan² α)", **letters)
     assert found["marks"]["earned"] == found["marks"]["of"]
+
+
+# v = -u/4, w = 5u/12 along i; B comes back with 5fu/12.
+AGAIN = """sphere A: mass m, velocity u i
+sphere B: mass 3m, at rest
+wall W: along j
+A hits B: along i, e = 2/3
+B hits W: e = f
+given A and B collide again
+find range of f"""
+
+
+def test_a_second_meeting_is_told_in_words() -> None:
+    speed = "after the wall B has 5fu/12"
+    found = marked(AGAIN, speed, "they collide again if 5fu/12 > u/4", "f > 3/5 so 3/5 < f <= 1")
+    assert [line["verdict"] for line in found["lines"]] == ["true"] * 3
+    assert found["marks"]["earned"] == found["marks"]["of"]
+    found = marked(AGAIN, speed, "collide if 5fu/12 < u/4", "0 <= f < 3/5")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "follows"]
+    other = AGAIN.replace("collide again", "do not collide again")
+    assert verdicts(other, "they would collide if 5fu/12 > u/4") != ["false"]
+
+
+def test_parts_of_a_velocity_as_vectors_resolve_it() -> None:
+    wall = "wall W: along 3i + 4j\nsphere P: mass 2, velocity 10i + 5j\nP hits W: e = 1/2\n"
+    wrong = "v = 6i + 8j + 1/2(4i - 3j) = 8i + 6.5j"
+    for parts, state in (
+        ("parallel part 6i + 8j and the rest is 4i - 3j", "earned"),
+        ("parallel part 10i + 5j", "lost"),
+    ):
+        found = marked(f"{wall}find velocity(P)", parts, wrong)
+        assert found["marks"]["points"][0]["state"] == state
+
+
+def test_the_angle_after_is_worked_out_though_it_is_no_deflection() -> None:
+    found = marked(f"{PAIR}deflection(B)", "tan b = 4/5 so deflected 38.7")
+    assert found["lines"][0]["mistake"]["id"] == "deflection-is-after"
+    points = [x for x in found["marks"]["points"] if x["for"] == "angle from components"]
+    assert [point["state"] for point in points] == ["earned"]
+
+
+def test_the_given_deflection_is_not_that_of_the_angle_after() -> None:
+    statement = """wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+given tan(deflection(P)) = 2
+find alpha"""
+    lines = ["tan b = 1/3 tan α", "tan b = 2", "tan α = 6 so α = 80.5"]
+    found = marked(statement, *lines, b="angle(velocity(P), W)")
+    assert found["lines"][1]["mistake"]["id"] == "deflection-is-after"
+    points = [x for x in found["marks"]["points"] if x["for"] == "angle of deflection"]
+    assert [point["state"] for point in points] == ["lost"]

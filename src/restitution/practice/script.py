@@ -56,6 +56,14 @@ class Claim:
     right: Expression
     others: tuple[Expression, ...] = ()
 
+    def leads_to(self, behind: Claim) -> bool:
+        """Whether another relation goes on from this one in a chain.
+
+        In ``f > 3/5 so 3/5 < f`` the sign turns, and no chain is meant.
+        """
+        turns = {self.sign[0], behind.sign[0]} == {"<", ">"}
+        return self.right == behind.left and not turns
+
 
 @dataclass(frozen=True)
 class Link:

@@ -20,6 +20,9 @@ from restitution.practice.reading.phrase_names import UNNAMED_ANGLE, UNNAMED_DIR
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 
+INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
+"""The function that gives an angle by its sine, its cosine or its tangent."""
+
 _UNNAMED = frozenset({UNNAMED_ANGLE, UNNAMED_DIRECTION})
 
 

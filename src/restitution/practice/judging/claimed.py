@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression, Letter
+from restitution.expression.tree import Expression, Letter, is_quantity, walk
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.world import World
+from restitution.problem import Compare, Given, Problem
 
 
 def meant_by(entry: Entry) -> Expression:
@@ -30,3 +31,16 @@ def holds_in(entry: Entry, world: World) -> bool:
     except RestitutionError:
         return False
     return grade in ("exact", "rounded")
+
+
+def is_given(kind: str, problem: Problem) -> bool:
+    """Whether the question gives a relation with a quantity of a kind in it."""
+    return any(
+        is_quantity(node, kind)
+        for _, step in problem.steps()
+        if isinstance(step, Given)
+        for relation in step.relations
+        if isinstance(relation, Compare)
+        for side in relation.operands
+        for node in walk(side)
+    )

@@ -54,6 +54,7 @@ from restitution.practice.judging.plain_mistakes import (
     is_deflection_as_angle,
     is_direct,
     is_energetic,
+    is_given_deflection,
     is_law_of_speeds,
     is_momentum_of_speeds,
     is_of_energy,
@@ -140,6 +141,7 @@ class Names:
         law = is_law_of_speeds(entry, judge.base)
         unresolved = not self._is_of_impulse(entry) and is_momentum_of_speeds(entry, judge.base)
         of_deflection = is_deflection_as_angle(entry, judge.base)
+        of_deflection = of_deflection or is_given_deflection(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
         variants = tuple(v for v in variants if not cannot_be(v, entry, judge.base))

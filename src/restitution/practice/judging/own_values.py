@@ -20,9 +20,10 @@ from restitution.expression.tree import (
     is_binary,
     is_quantity,
     letters,
-    walk,
 )
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.angles import INVERSE
+from restitution.practice.judging.claimed import is_given
 from restitution.practice.judging.deduction import is_identity
 from restitution.practice.judging.entries import (
     Entry,
@@ -48,7 +49,7 @@ from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import facts_of, student_world
 from restitution.practice.worlds.turning import with_line_at
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given, Impact, Problem
+from restitution.problem import Impact, Problem
 
 _TURNS = ("deflection-difference", "deflection-is-after")
 ALTERED = 3
@@ -197,16 +198,7 @@ class OwnValues(Holding):
             return False
         meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
         turned = is_quantity(meant, "deflection")
-        given = any(
-            is_quantity(node, "deflection")
-            for _, step in self._base.problem.steps()
-            if isinstance(step, Given)
-            for relation in step.relations
-            if isinstance(relation, Compare)
-            for side in relation.operands
-            for node in walk(side)
-        )
-        return turned and not given
+        return turned and not is_given("deflection", self._base.problem)
 
     def _with_own_line(self, entries: Sequence[Entry]) -> World | None:
         """The true world with the line of centres at the student's own angle, if that is wrong.
@@ -401,14 +393,11 @@ def _factors_of(problem: Problem) -> Iterator[Fraction]:
             yield value
 
 
-_INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
-
-
 def _angle_of_line(entry: Entry) -> tuple[Expression, Expression] | None:
     """An angle to the line of centres that an entry gives, and the value that it has there."""
     match entry.claim:
-        case Claim(Apply(function, Letter(name)), "=", value) if function in _INVERSE:
-            value = Apply(_INVERSE[function], value)
+        case Claim(Apply(function, Letter(name)), "=", value) if function in INVERSE:
+            value = Apply(INVERSE[function], value)
         case Claim(Letter(name), "=", value):
             pass
         case _:

@@ -34,7 +34,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Use
-from restitution.practice.judging.claimed import has_value, holds_in, meant_by
+from restitution.practice.judging.claimed import has_value, holds_in, is_given, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.plain_energies import (
     is_energy_of_difference,
@@ -622,6 +622,26 @@ def is_deflection_as_angle(entry: Entry, world: World) -> bool:
             except RestitutionError:
                 continue
     return False
+
+
+def is_given_deflection(entry: Entry, world: World) -> bool:
+    """Whether an angle after an impact has the value that the question gives for the deflection."""
+    left = entry.claim.left
+    inside = left.argument if is_function(left, "tan") else left
+    meant = entry.meanings.get(inside.name) if isinstance(inside, Letter) else inside
+    match meant:
+        case Quantity("angle", (Quantity("velocity", bodies, int(stage)), _)) if stage:
+            turned: Expression = Quantity("deflection", bodies, stage)
+        case _:
+            return False
+    given = is_given("deflection", world.problem)
+    own: Expression = meant
+    if inside is not left:
+        turned, own = Apply("tan", turned), Apply("tan", own)
+    value = entry.claim.right
+    return (
+        given and has_value(turned, value, entry, world) and not has_value(own, value, entry, world)
+    )
 
 
 def is_coefficient(entry: Entry) -> bool:

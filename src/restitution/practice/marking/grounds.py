@@ -143,6 +143,12 @@ class Grounds:
         of_speeds = line.verdict == "follows" and not worked and bool(names & _OF_WHOLE_SPEEDS)
         return point.principle == "speed" and of_speeds
 
+    def _has_no_turn(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line follows from another angle in the place of the deflection."""
+        wrong = (root.mistake for root in self._roots(line))
+        other = any(mistake is not None and mistake.id in OF_DEFLECTION for mistake in wrong)
+        return point.principle == "deflection" and other
+
     def _is_no_component_of(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line has no velocity in it, or one component alone where a velocity is due."""
         if point.principle == "velocity" and not has_vector(line):

@@ -61,6 +61,9 @@ def place_in(tree: Expression) -> Quantity | None:
     return inside if is_quantity(inside, "position") else None
 
 
+_PARTS = re.compile(r"\b(?:parts?|bits?|components?|comps?|resolv\w+)\b", re.IGNORECASE)
+
+
 @dataclass(frozen=True, eq=False)
 class LineContents(Sides):
     """What lines name of spheres and coefficients, list as answers, and add up."""
@@ -211,6 +214,18 @@ class LineContents(Sides):
         if link is None or not any(isinstance(node, Unit | Pair) for node in walk(vector)):
             return False
         return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def _is_vector_part(self, vector: Expression, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a vector is the part of a velocity that the component of a point is the size of.
+
+        ``parallel part 6i + 8j, perp part 4i - 3j`` resolves a velocity as components do.
+        """
+        part = None if point.link is None or not _PARTS.search(line.line.text) else point.link.left
+        match part:
+            case Quantity("along" | "across", (Quantity("velocity") as velocity, _)):
+                along = self._has_part(vector, velocity, point, line)
+                return along and self._is_worth(Apply("abs", vector), Apply("abs", part), line)
+        return False
 
     def _is_in_a_tangent(self, part: Expression, line: JudgedLine) -> bool:
         """Whether a line has a tangent of which one component is a part: ``tan β = u sin α/v``."""

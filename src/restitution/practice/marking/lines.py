@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
 from restitution.expression.tree import (
+    Apply,
     Degrees,
+    Expression,
     Letter,
     Number,
     Pair,
@@ -15,10 +17,12 @@ from restitution.expression.tree import (
     Unit,
     has_operator,
     is_binary,
+    is_function,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Use
-from restitution.practice.script import Link
+from restitution.practice.judging.angles import INVERSE
+from restitution.practice.script import Claim, Link
 from restitution.practice.worlds.principles import is_worked
 
 _FIGURES = 3
@@ -77,7 +81,7 @@ def ends_fine(line: JudgedLine) -> bool:
 
 def continues(link: Link, behind: Link) -> bool:
     """Whether a link goes on from another in a chain."""
-    return link.readings[0].right == behind.readings[0].left
+    return link.readings[0].leads_to(behind.readings[0])
 
 
 def fitting_uses(line: JudgedLine) -> tuple[Use, ...]:
@@ -135,3 +139,13 @@ __all__ = [
     "without_slip",
     "wrong_numbers",
 ]
+
+
+def ratios_of_angles(claim: Claim) -> Iterator[tuple[str, Expression]]:
+    """The ratios that give angles, each with its inverse function: ``tan δ = 4/3``."""
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        if isinstance(one, Apply) and one.function in INVERSE and is_binary(other, "/"):
+            yield INVERSE[one.function], other
+        for node in walk(one):
+            if is_function(node, *INVERSE.values()) and is_binary(node.argument, "/"):
+                yield node.function, node.argument

@@ -233,6 +233,7 @@ class _Examiner(SinglePoints):
                 is_step = is_step or (state.point.letter == "M" and worked)
                 is_step = is_step and not self._is_at_old_angle(state.point, line)
                 is_step = is_step and not self._has_no_components(state.point, line)
+                is_step = is_step and not self._has_no_turn(state.point, line)
                 is_step = is_step and not self._is_of_vectors(state.point, line)
                 if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"

@@ -552,7 +552,7 @@ def chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
     chain: list[Claim] = []
     for link in line.line.links:
         claim = _of_direction(link.readings[0])
-        if chain and chain[-1].right != claim.left:
+        if chain and not chain[-1].leads_to(claim):
             yield chain
             chain = []
         chain.append(claim)

@@ -25,7 +25,6 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_unit_vector,
-    is_binary,
     is_function,
     is_quantity,
     quantities_in,
@@ -33,6 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.line_contents import LineContents, place_in
+from restitution.practice.marking.lines import ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
     are_close,
@@ -396,14 +396,10 @@ class Values(LineContents):
         With ``known`` those of a tangent have to be components of a velocity.
         """
         return any(
-            is_function(node, "arctan", "arcsin", "arccos")
-            and is_binary(node.argument, "/")
-            and is_bare(node.argument)
-            and not (known and node.function == "arctan" and not self._is_slope(node.argument))
+            is_bare(ratio) and not (known and function == "arctan" and not self._is_slope(ratio))
             for chain in chains(line)
             for claim in chain
-            for side in (claim.left, claim.right)
-            for node in walk(side)
+            for function, ratio in ratios_of_angles(claim)
         )
 
     def _is_slope(self, ratio: Expression) -> bool:
@@ -583,6 +579,7 @@ class Values(LineContents):
         return any(
             self._is_worth(value, link.left, line)
             or (is_fine(value) and self._is_rounded_to(value, link.left, line))
+            or self._is_vector_part(value, point, line)
             for value in line.line.values
             if across or not (isinstance(value, Number) and value.value.denominator == 1)
         )

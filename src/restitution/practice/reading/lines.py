@@ -17,15 +17,16 @@ _SIGNS = {"<=": "≤", ">=": "≥", "!=": "≠"}
 
 def read_as(claims: Sequence[Claim]) -> str | None:
     """Claims as they were read: a chain is written once, others are parted by commas."""
-    text, last = "", None
+    text = ""
+    last: Claim | None = None
     for claim in claims:
         sign = _SIGNS.get(claim.sign, claim.sign)
         right = " or ".join(text_of(tree) for tree in (claim.right, *claim.others))
-        if last is not None and claim.left == last:
+        if last is not None and last.leads_to(claim):
             text += f" {sign} {right}"
         else:
             text += f"{', ' if text else ''}{text_of(claim.left)} {sign} {right}"
-        last = claim.right
+        last = claim
     return text or None
 
 

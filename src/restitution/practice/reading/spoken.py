@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.reading import amounts, shares
+from restitution.practice.reading import amounts, meetings, shares
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
@@ -288,6 +288,8 @@ _ORDINALS = ("first", "second", "third", "fourth")
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (amounts.STAGE_BEHIND, amounts.stage_behind),
     (amounts.LISTED_ENERGY, amounts.listed_energy),
+    (meetings.HAS_AFTER, meetings.has_after),
+    (meetings.MEETS_IF, meetings.meets_if),
     (amounts.WHICH_IS, amounts.which_is),
     (amounts.LISTED_LOSS, amounts.listed_loss),
     (amounts.LOSES, amounts.loses),

@@ -337,9 +337,7 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
     return error
 
 
-def _senses_to_free(
-    setting: Setting, trials: Sequence[Trial], reason: str | None
-) -> Iterator[str]:
+def _senses_to_free(setting: Setting, trials: Sequence[Trial], reason: str | None) -> Iterator[str]:
     """How a letter that is the speed of a velocity may be negative, where it would have to be."""
     speeds = {
         name
