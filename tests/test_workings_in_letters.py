@@ -103,6 +103,56 @@ show tan(deflection(P)) = 2(1 + e)/(4 - e)
         ],
         ["sin²α"],
     ),
+    "a square that is put in goes for the fourth power too": (
+        """
+wall W: along i
+sphere P: mass m, velocity a i - b j
+given a > 0, b > 0
+P hits W
+given velocity(P) perpendicular to velocity(P, 0)
+part a
+show e = a^2/b^2
+show b >= a
+part b
+show energy_lost = m(b^4 - a^4)/(2b^2)
+part c
+given energy_lost = 1/2 energy(0)
+find e
+""",
+        [
+            "b ≥ a, as a > 0 and b > 0 (as required)",
+            "2b⁴ − 2(eb²)² = b⁴ + b²e × b²",
+            "Dividing by b⁴, which is not zero as b > 0: e = ½",
+        ],
+        ["as a > 0:"],
+    ),
+    "a side with the factor sin² + cos² goes on without that": (
+        WALL
+        + """P hits W
+given speed(P) = 3/4 u, velocity(P) perpendicular to velocity(P, 0)
+show tan(alpha) = 4/3
+""",
+        ["As sin²α + cos²α = 1: 9 sin²α = 16 cos²α", "tan α = 4/3 (as required)"],
+        ["1 − cos²α"],
+    ),
+    "what is to be shown is not solved for something else before": (
+        WALL + "P hits W\ngiven deflection(P) = 90°\nshow e = cot^2(alpha)\n",
+        ["e sin²α = cos²α e = cot²α (as required)"],
+        ["tan²α"],
+    ),
+    "a ratio of an angle may be bounded": (
+        WALL
+        + """given sin(alpha) <= 3/5
+P hits W: e = 1/2
+find range of energy_lost
+find range of tan(angle(velocity(P), W))
+""",
+        [
+            "0 < kinetic energy lost ≤ 27mu²/200 as α is acute and sin α ≤ ⅗",
+            "0 < tan β ≤ ⅜, as α is acute and sin α ≤ ⅗",
+        ],
+        ["not written out"],
+    ),
 }
 
 

@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_component,
+    is_function,
     is_quantity,
     is_rest,
     is_zero,
@@ -643,11 +644,13 @@ def _between(step: Impact, number: int) -> Expression:
 
 
 def _is_range(relation: Relation) -> bool:
-    """Whether a relation only bounds letters."""
+    """Whether a relation only bounds letters, or ratios of angles that are letters."""
     links = [link for option in relation.options for link in option]
     trees = [tree for link in links for side in (link.left, link.right) for tree in walk(side)]
     return all(link.sign in ("<", "<=", ">", ">=", "!=") for link in links) and not any(
-        isinstance(tree, Quantity | Apply) for tree in trees
+        isinstance(tree, Quantity)
+        or (isinstance(tree, Apply) and not is_function(tree, "sin", "cos", "tan"))
+        for tree in trees
     )
 
 

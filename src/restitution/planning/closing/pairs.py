@@ -16,7 +16,7 @@ from restitution.exact import in_one_ratio, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Relation, equality, numbers_in
 from restitution.explaining.lines.trees import statement_of
-from restitution.expression.tree import Apply, Binary, Expression, Letter, is_binary
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, is_binary
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.ratios import inside_functions, inverse
@@ -404,7 +404,10 @@ def _reduced(scene: Scene, line: int) -> int:
 
 
 def _with(tree: Expression, subject: Expression, value: Expression) -> Expression:
-    """A tree in which a value stands for a subject, also for the square of a product of it."""
+    """A tree in which a value stands for a subject, also for the square of a product of it.
+
+    With a² its fourth power goes too, as the square of that.
+    """
     from restitution.explaining.lines.trees import rebuilt
 
     base = subject.left if is_binary(subject, "^") else None
@@ -415,6 +418,8 @@ def _with(tree: Expression, subject: Expression, value: Expression) -> Expressio
         match tree:
             case Binary("*", left, Binary("/", above, below)) if above == ONE:
                 return Binary("/", left, below)
+            case Binary("^", own, Number(power)) if own == base and power % _PAIR == 0:
+                return Binary("^", value, Number(power / _PAIR))
             case Binary("^", inside, _) if base is not None:
                 rest = _without(inside, base)
                 if rest is not None:

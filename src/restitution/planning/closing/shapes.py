@@ -523,6 +523,28 @@ def _without_an_angle(scene: Scene, number: int, symbol: sp.Symbol) -> Source | 
     return close(scene, scene.desk.write(move, refs, chain(left, (right, None))), symbol)
 
 
+def _without_the_sum_of_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """A side with the factor sin² + cos² goes on without that: sin²θ cos²θ + cos⁴θ is cos²θ."""
+    link = scene.desk.last_link(number)
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    sides: list[Expression] = []
+    for side in (link.left, link.right):
+        value = sp.sympify(scene_value(scene, side), strict=True)
+        if not value.is_polynomial(s, c) or symbol in inside_functions(value.subs({s: 1, c: 1})):
+            return None
+        whole, rest = sp.div(sp.Poly(value, s, c), sp.Poly(s**2 + c**2, s, c))
+        # A number beside both squares is no factor that stands there already.
+        out = rest.is_zero and not whole.is_zero and whole.total_degree() > 0
+        sides.append(tree_of(tidy(whole.as_expr())) if out else side)
+    if sides == [link.left, link.right]:
+        return None
+    relation = chain(sides[0], (sides[1], None))
+    refs = scene.judge.enough(Move("identity", "pythagoras"), (number,), relation, ())
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(Move("identity", "pythagoras"), refs, relation), symbol)
+
+
 def _goes(x: sp.Expr, angle: sp.Symbol) -> bool:
     """Whether an angle is not in an expression any more, once its cosines are sines."""
     return angle in x.free_symbols and angle not in _in_sines(x, [angle]).free_symbols
@@ -537,6 +559,7 @@ def _in_sines(x: sp.Expr, angles: Iterable[sp.Symbol]) -> sp.Expr:
 SHAPES: tuple[Shape, ...] = (
     _already,
     _of_equal_squares,
+    _without_the_sum_of_squares,
     _without_an_angle,
     _squared,
     _by_one_root,

@@ -58,13 +58,17 @@ from restitution.planning.shows.shown_speeds import (
     multiple_of_data,
     speed_by_a_tie,
 )
+from restitution.planning.shows.straight import (
+    is_turned,
+    shown_by_a_multiple,
+    without_a_detour,
+)
 from restitution.planning.shows.sums_expanded import with_sums_expanded
 from restitution.planning.shows.values_put_in import by_numbers, with_values
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
-    alike,
     negative,
     product,
     square,
@@ -99,6 +103,9 @@ class ShownEquation(ShownAngles):
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
+        return without_a_detour(self.scene, self.link, self._written())
+
+    def _written(self) -> int:
         left, right = (
             self.claims.worths.opened(side) for side in (self.link.left, self.link.right)
         )
@@ -232,48 +239,21 @@ class ShownEquation(ShownAngles):
     def _on_the_way(self, above: int) -> int | None:
         """What is to be shown, by a line on the way to a letter of it, before that is solved."""
         numbers = [equation for equation in self._equations() if equation > above]
-        multiples = filter(self._is_multiple, numbers)
-        if (line := next(filter(None, map(self._instead_of_solving, multiples)), None)) is not None:
+        multiples = (shown_by_a_multiple(self.scene, self.link, n) for n in numbers)
+        if (line := next(filter(None, multiples), None)) is not None:
             return line
         for number in reversed(numbers):
             relation = self.scene.desk.relation(number)
             if len(relation.options) > 1 or isinstance(relation.only[0].left, Letter):
                 continue
             own = self.scene.desk.last_link(number)
-            if self._is_turned(own):
+            if is_turned(own, self.link):
                 continue
             known = self.judge.known(letters(own.left) | letters(own.right))
             line = self.judge.write(_TO_CLEAR, [number, *known], self.relation)
             if line is not None:
                 return line
         return None
-
-    def _is_turned(self, own: Link) -> bool:
-        """Whether a link says what is to be shown from the other side."""
-        return alike(own.left, self.link.right) and alike(own.right, self.link.left)
-
-    def _is_multiple(self, number: int) -> bool:
-        """Whether what is to be shown is a multiple of an equation: then nothing is solved."""
-        relation = self.scene.desk.relation(number)
-        link = relation.options[0][-1]
-        if len(relation.options) > 1 or link.sign != "=" or self._is_turned(link):
-            return False
-        if has_quantity(link.left) or has_quantity(link.right):
-            return False
-        own, shown = (
-            self.scene.scalar(e.left) - self.scene.scalar(e.right) for e in (link, self.link)
-        )
-        return expanded(own) != 0 and sp.cancel(shown / own).is_number
-
-    def _instead_of_solving(self, number: int) -> int | None:
-        """What is to be shown, from a multiple of it, in place of what stands below that."""
-        desk, names = self.scene.desk, letters(self.link.left) | letters(self.link.right)
-        pool = [number, *self.judge.known(names)]
-        if not self.judge.follows(Move("rearrange"), [number], self.relation):
-            return None
-        while len(desk.lines) > number:
-            desk.take_last()
-        return self.judge.write((Move("rearrange"),), pool, self.relation)
 
     def _by_its_letter(self) -> int | None:
         """What the working has a letter for, by the line that says what that is."""

@@ -24,7 +24,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.quotients import NotComparableError
 from restitution.explaining.moves import MOST_COMPARED, number_compared
 from restitution.explaining.steps.excluding import excludes, holds_anyway
-from restitution.expression.tree import letters
+from restitution.expression.tree import Apply, letters, walk
 from restitution.oracle import BeyondError, Oracle
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import ZERO
@@ -230,6 +230,16 @@ class Judge:
             and name in _letters(fact.relation)
         ]
 
+    def _is_of_a_ratio(self, ref: Ref) -> bool:
+        """Whether a fact bounds a ratio of an angle."""
+        return any(
+            isinstance(node, Apply)
+            for links in self.facts[str(ref)].relation.options
+            for link in links
+            for side in (link.left, link.right)
+            for node in walk(side)
+        )
+
     def bounds(self, name: str) -> tuple[Ref, ...]:
         """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
         role = roles(self.problem).get(name)
@@ -246,7 +256,10 @@ class Judge:
         cases = [ref for ref in ranges if str(ref).startswith("case")]
         facts = [ref for ref in ranges if ref not in cases]
         if role.kind == "angle":
-            return (*facts, *_of_angle(name, role.low, role.high, role.closed), *cases)
+            # That it is acute goes before what is given of a ratio of it.
+            ratios = [ref for ref in facts if self._is_of_a_ratio(ref)]
+            facts = [ref for ref in facts if ref not in ratios]
+            return (*facts, *_of_angle(name, role.low, role.high, role.closed), *ratios, *cases)
         refs: list[Ref] = []
         for end, sign, closed in (
             (role.low, ">", role.closed[0]),

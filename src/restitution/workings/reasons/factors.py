@@ -62,9 +62,7 @@ def _cancelled(above: Relation, line: Relation, cited: frozenset[str]) -> Expres
         _, factor = sp.factor_list(numerator)
         if any(base.is_Add for base, _ in factor):
             factor = [e for e in factor if not e[0].is_Symbol or e[0].name in cited]
-        # Of an inequality the whole factor has a sign; an equation is divided by what is not zero.
-        ordered = line.only[0].sign in FLIPPED
-        bases = [base**power if ordered else base for base, power in factor]
+        bases = [base**power for base, power in factor]
         return exchanged(tree_of(bases[0]), back) if len(bases) == 1 else None
     except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None

@@ -239,7 +239,7 @@ class Reasons(PositiveReasons):
         words = (
             bound_in_words(own[e], self._roles, self._naming) if e in own else e for e in reasons
         )
-        reasons = tuple(word for word in words if word is not None)
+        reasons = tuple(dict.fromkeys(word for word in words if word is not None))
         return (say("derived.as", reasons=reasons),) if reasons else ()
 
     def _in_its_case(self, line: Line) -> bool:
