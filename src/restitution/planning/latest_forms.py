@@ -131,6 +131,8 @@ def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle)
     """The working in which a line starts from the last form of its equation, if it follows."""
     subject = _subject(line)
     same = subject is not None and subject == _subject(derivation.line(first))
+    if _is_quoted(derivation.line(first), line):
+        return derivation
     for form in reversed(list(_forms(derivation, first, line.number))):
         if form in line.premises:
             return derivation
@@ -143,6 +145,22 @@ def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle)
         if read.accepts(read.lines[line.number]):
             return whole
     return derivation
+
+
+def _is_quoted(first: Line | None, line: Line) -> bool:
+    """Whether a line has a value in the form in which another gives it."""
+    match first and first.relation:
+        case Relation(((*_, Link(_, "=", value)),)):
+            pass
+        case _:
+            return False
+    own = line.relation
+    return (
+        isinstance(own, Relation)
+        and len(own.options) == 1
+        and isinstance(value, Binary)
+        and value in {side for link in own.only for side in (link.left, link.right)}
+    )
 
 
 def _forms(derivation: Derivation, first: int, end: int) -> Iterator[int]:

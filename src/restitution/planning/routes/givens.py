@@ -159,11 +159,16 @@ def write_given(scene: Scene, given: GivenEquation) -> int:
 def _with_its_letter(scene: Scene, given: GivenEquation) -> int | None:
     """A value that has a letter by the question, or its tangent, as it is quoted."""
     subject = given.fact.relation.only[0].left
-    if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
-        for quantity in (subject, Apply("tan", subject)):
-            standing = quoted_as(scene, given, quantity)
-            if standing is not None:
-                return standing
+    subjects: tuple[Expression, ...] = ()
+    match subject:
+        case Letter(name) if f"let {name}" in scene.facts:
+            subjects = (subject, Apply("tan", subject))
+        case Apply("tan", Letter() | Quantity()):
+            subjects = (subject,)
+    for own in subjects:
+        standing = quoted_as(scene, given, own)
+        if standing is not None:
+            return standing
     return None
 
 

@@ -82,11 +82,11 @@ def has_root(value: sp.Expr) -> bool:
 
 def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int | None:
     """The same of what stands as a quantity, as its tangent, or as a letter for it."""
-    turned = isinstance(subject, Apply)
+    turned = isinstance(subject, Apply) and not isinstance(equation.link.left, Apply)
     if has_quantity(equation.link.right):
         return None
-    known = scene.desk.known(subject)
-    if known is None and isinstance(subject, Apply):
+    known = _shown(scene, subject) or scene.desk.known(subject)
+    if known is None and turned and isinstance(subject, Apply):
         return _by_its_tangent(scene, equation, subject.argument)
     if known is None or not scene.unknown(known.value):
         return None
@@ -110,6 +110,21 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
         together(equation.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _shown(scene: Scene, subject: Expression) -> Source | None:
+    """A value as it was to be shown, where it is known in that form: what is printed is quoted."""
+    known = scene.desk.known(subject)
+    for end in scene.desk.ends if known is not None else ():
+        if not end.shown or not scene.desk.holds(end.line):
+            continue
+        own = scene.desk.relation(end.line)
+        if len(own.options) > 1 or own.only[0].left != subject or own.only[0].sign != "=":
+            continue
+        value = scene.scalar(own.only[-1].right)
+        if scene.model.identically_zero(value - known.value):  # type: ignore[union-attr]
+            return Source(value, (end.line,))
+    return None
 
 
 def _by_its_tangent(scene: Scene, equation: GivenEquation, angle: Expression) -> int | None:
