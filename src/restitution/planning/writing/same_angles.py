@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref
+from restitution.explaining.lines.derivation import Link, Meaning, Move, MoveId, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -23,40 +23,55 @@ from restitution.planning.writing.scene import Scene
 
 
 def write_same_angle(scene: Scene, asked: Quantity, letter: str, meaning: Ref) -> int | None:
-    """The line that an angle is one that has a letter and a tangent; None where it is none."""
-    for own, number in _others(scene, asked):
-        bodies = tuple(sorted(_bodies(asked) | _bodies(own.quantity)))
+    """The line that an angle is another one that has a tangent; None where it is none."""
+    for other, tree, named in (*_others(scene, asked), *_without_letters(scene, asked)):
+        bodies = tuple(sorted(_bodies(asked) | _bodies(other)))
         event = max(_stages(asked), default=0)
-        match asked, own.quantity:
+        match asked, other:
             case (
                 Quantity("angle", (_, Quantity("line_of_centres", (), int(impact)))),
                 Quantity("angle", (_, Name())),
             ):
                 event = impact
-        relation = chain(Letter(letter), (Letter(own.letter), None))
+        relation = chain(Letter(letter), (tree, None))
         move = Move("define", "difference", event, bodies)
-        pool = [*_components(scene, bodies, event), meaning, number]
-        refs = scene.judge.needed(move, pool, relation, (meaning, number))
+        pool = [*_components(scene, bodies, event), meaning, *named]
+        refs = scene.judge.needed(move, pool, relation, (meaning, *named))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     return None
 
 
-def _others(scene: Scene, asked: Quantity) -> Iterator[tuple[Meaning, int]]:
+_Other = tuple[Quantity, Expression, tuple[int, ...]]
+"""Another angle, how lines write it, and the line of its letter."""
+
+
+def _others(scene: Scene, asked: Quantity) -> Iterator[_Other]:
     """The angles of the same velocity that have a letter, and a tangent in some line."""
     for line in scene.desk.lines:
         own = line.relation
-        if not isinstance(own, Meaning) or own.quantity == asked or own.angle is not None:
+        if not isinstance(own, Meaning) or own.angle is not None:
             continue
         if not isinstance(own.quantity, Quantity) or not scene.desk.holds(line.number):
             continue
-        kinds = {_kind(asked), _kind(own.quantity)}
-        if (
-            kinds in _ALIKE
-            and _moving(asked) & _moving(own.quantity)
-            and _tangent(scene, own.letter)
-        ):
-            yield own, line.number
+        letter = Letter(own.letter)
+        if _is_alike(asked, own.quantity) and _tangent(scene, letter):
+            yield own.quantity, letter, (line.number,)
+
+
+def _without_letters(scene: Scene, asked: Quantity) -> Iterator[_Other]:
+    """The angles of the same velocity of which a line has the tangent, without a letter."""
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation(((Link(Apply("tan", Quantity() as other), "="), *_),)):
+                if _is_alike(asked, other) and _tangent(scene, other) == line.number:
+                    yield other, other, ()
+
+
+def _is_alike(asked: Quantity, other: Quantity) -> bool:
+    """Whether one angle may be the other: they are of one velocity, by different lines."""
+    kinds = {_kind(asked), _kind(other)}
+    return other != asked and kinds in _ALIKE and bool(_moving(asked) & _moving(other))
 
 
 _ALIKE = (
@@ -104,9 +119,9 @@ def _stages(angle: Quantity) -> set[int]:
     return {stage for _, stage in _moving(angle)} or {0}
 
 
-def _tangent(scene: Scene, letter: str) -> int | None:
-    """The line in force that gives the tangent of an angle."""
-    tree = Apply("tan", Letter(letter))
+def _tangent(scene: Scene, angle: Expression) -> int | None:
+    """The line in force that gives the tangent of an angle, or of its letter."""
+    tree = Apply("tan", angle)
     for line in reversed(scene.desk.lines):
         if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
             continue
@@ -118,8 +133,7 @@ def _tangent(scene: Scene, letter: str) -> int | None:
 
 def tangent_by_the_same(scene: Scene, letter: str, line: int) -> int | None:
     """The tangent of an angle, by the line that it is another one."""
-    other = scene.desk.last_link(line).right
-    known = _tangent(scene, other.name) if isinstance(other, Letter) else None
+    known = _tangent(scene, scene.desk.last_link(line).right)
     if known is None:
         return None
     right = scene.desk.last_link(known).right
@@ -129,7 +143,7 @@ def tangent_by_the_same(scene: Scene, letter: str, line: int) -> int | None:
         worths: dict[Expression, Expression] = {}
         for node in (node for node in walk(right) if isinstance(node, Apply)):
             worths[node] = tree_of(scene.put(scene.scalar(node))[0])
-            own = _tangent(scene, node.argument.name) if isinstance(node.argument, Letter) else None
+            own = _tangent(scene, node.argument) if isinstance(node.argument, Letter) else None
             put = put if node.function != "tan" or own is None else (own, *put)
         final = tree_of(tidy(value))
         steps = [(swept(exchanged(right, worths)), None), (final, "rearrange")]

@@ -470,6 +470,7 @@ class TurnLeads(LinesAround):
             for node in walk(side)
             if isinstance(node, Letter) and (meaning := self._naming.meanings.get(node.name))
         ]
+        angles += [side for side in (link.left, link.right) if isinstance(side, Quantity)]
         match angles:
             case [
                 Quantity("angle", (one, Quantity("line_of_centres"))),
