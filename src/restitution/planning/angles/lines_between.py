@@ -8,12 +8,14 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.data.offset_angles import offset_angle
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Polar,
     Quantity,
@@ -35,6 +37,7 @@ from restitution.planning.writing.forms import product, square, total, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import whole_direction
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 
@@ -192,6 +195,25 @@ def sine_of_the_offset(scene: Scene, equation: GivenEquation) -> int | None:
     return None if premises is None else scene.desk.write(move, premises, relation)
 
 
+def sine_of_an_offset(scene: Scene, asked: Quantity, letter: str, meaning: Ref) -> int | None:
+    """The sine of the angle of a line of centres to a line along the path, by the offset.
+
+    None of another angle, and where an answer has the line of centres itself.
+    """
+    lines = [side for side in asked.arguments if is_quantity(side, "line_of_centres")]
+    fact = scene.facts.get(f"axis {lines[0].stage}") if len(lines) == 1 else None
+    if fact is None or any(end.answer.options[0][0].left in lines for end in scene.desk.ends):
+        return None
+    own = offset_angle(fact.relation.only[0], roles(scene.problem))
+    value = None if own is None else tidy(scene.scalar(own.sine))
+    if own is None or value is None or not value.is_number:
+        return None
+    subject = Apply("sin", Letter(letter))
+    whole = chain(subject, (own.sine, None), (tree_of(value), "rearrange"))
+    pool = (fact.id, meaning)
+    return scene.judge.write((Move("define", "scalar-angle", lines[0].stage),), pool, whole)
+
+
 __all__ = [
     "angle_of_lines",
     "cosine_of",
@@ -199,6 +221,7 @@ __all__ = [
     "is_line",
     "is_moving",
     "line_source",
+    "sine_of_an_offset",
     "sine_of_the_offset",
     "whole_velocity",
 ]

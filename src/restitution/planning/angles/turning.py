@@ -46,6 +46,7 @@ from restitution.planning.angles.lines_between import (
     cosine_of,
     is_line,
     is_moving,
+    sine_of_an_offset,
     whole_velocity,
 )
 from restitution.planning.angles.quantities import formula
@@ -370,7 +371,9 @@ def _angle_of(scene: Scene, own: Ratio) -> Expression:
         return tree_of(value.args[0])
     if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
         return difference(RIGHT_ANGLE, tree_of((1 / value).args[0]))
-    return in_degrees_of({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
+    return in_degrees_of(
+        {"tan": sp.atan, "cos": sp.acos, "sin": sp.asin}[own.function](value), value
+    )
 
 
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
@@ -447,12 +450,16 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
 
 def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     """The angle between directions of the plane, walls and lines of centres, by their product."""
-    own = angle_of_lines(scene, asked)
     letter, meaning = letter_of(scene, asked)
-    refs = together((meaning,), own.refs)
-    line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
     to_a_line = any(map(is_line, asked.arguments))
     extent = "0° <= {} <= 90°" if to_a_line else RANGES["deflection"]
+    sine = sine_of_an_offset(scene, asked, letter, meaning)
+    if sine is not None:
+        value = scene.scalar(scene.desk.last_link(sine).right)
+        return Ratio(sine, letter, "sin", value, extent.format(letter))
+    own = angle_of_lines(scene, asked)
+    refs = together((meaning,), own.refs)
+    line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
     return Ratio(line, letter, "cos", own.value, extent.format(letter))
 
 

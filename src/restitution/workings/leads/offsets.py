@@ -27,7 +27,7 @@ def is_offset(fact: Fact) -> bool:
 
 
 def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) -> Sentence | None:
-    """The sine and the cosine of the angle that an offset gives, with letters that are known.
+    """The angle that an offset gives, or its sine and cosine, with letters that are known.
 
     None where others are left.
     """
@@ -43,6 +43,11 @@ def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) ->
     if not sine.is_number:
         return None
     one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
+    angle = sp.asin(abs(sine))
+    if (angle / sp.pi).is_Rational:
+        degrees = naming.layout(tree_of(angle, angle=True))
+        path = _path(naming, one, other, origin)
+        return say("offset.angle-in-degrees", angle=degrees, path=path)
     ratios = (tree_of(value) for value in (abs(sine), tidy(sp.sqrt(1 - sine**2))))
     sides = dict(zip(("sine", "cosine"), map(naming.layout, ratios), strict=True))
     return say("offset.angle", path=_path(naming, one, other, origin), **sides)

@@ -17,6 +17,7 @@ SENTENCES: Mapping[str, str] = {
     "offset.angle": (
         "The angle between the line of centres and {path} has sine {sine} and cosine {cosine}:"
     ),
+    "offset.angle-in-degrees": "The line of centres makes an angle of {angle} with {path}:",
     "offset.letter": (
         "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
         "Let {letter} be the angle between the line of centres and that path:"
