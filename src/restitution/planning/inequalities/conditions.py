@@ -48,6 +48,7 @@ from restitution.planning.inequalities.bounds_with_roots import collected
 from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
 from restitution.planning.inequalities.conditions_shown import write_shown
 from restitution.planning.inequalities.multiplied_out import multiplied_out
+from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
 from restitution.planning.inequalities.squares import (
     both_squared,
     solve_in_squares,
@@ -164,6 +165,9 @@ class Conditions:
             return towards[0] if done else self.finished(*towards, wanted)
         match self.worths.opened(link.left), link.right:
             case Quantity(kind) as angle, Degrees(value) if kind in UNSIGNED_ANGLES and value == 90:
+                signed = write_by_a_tangent(self.worths, fact, link, angle)
+                if signed is not None:
+                    return self.finished(*signed, wanted)
                 return self._past_a_right_angle(fact, link, angle, wanted)
             case Quantity("direction", (Name() as body,), int(stage)), Degrees(value) if (
                 value == 90 and link.sign[0] == ">"
