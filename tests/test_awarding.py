@@ -357,6 +357,17 @@ find energy_lost
 1 a | define energy-lost 1 P | mass P, velocity P, given 1 | energy_lost(1) = 1/2 m u^2 - 1/2 m v^2
 a: 1 energy_lost(1) = 1/2 m u^2 - 1/2 m v^2
 """,
+    "share-that-is-given": """
+sphere A: mass 4, velocity 5i + j
+sphere B: mass 2, at rest
+A hits B: along i
+given energy_lost = 13
+find energy_lost/energy(0)
+---
+1 a | define total | mass A, velocity A | energy(0) = 1/2*4 (5^2 + 1^2) = 52 [rearrange]
+2 a | put | given 1, 1 | energy_lost(1)/energy(0) = 13/52 = 1/4 [rearrange]
+a: 2 energy_lost(1)/energy(0) = 1/4
+""",
     # A time, and places, that the data tell.
     "places": """
 wall W: along j, through (8, 0)
@@ -690,6 +701,7 @@ b: 12 direction(A, 0) = alpha
 CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("given-speed", "two-masses", 6, "DM1", "DM1", "DM1"),
     ("energy-lost-by-the-data", "lost-by-the-data", 1, "M1 A1", "M1 A1", "M1 A1"),
+    ("share-of-what-is-given", "share-that-is-given", 2, "M1 A1", "M1 A1", "M1 A1"),
     ("angle-of-the-data", "read-off", 2, "", "", ""),
     ("right-angle-by-a-product", "read-off", 7, "A1", "A1", "A1"),
     ("repeated", "repeated", 7, "", "", ""),

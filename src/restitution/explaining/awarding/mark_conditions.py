@@ -15,6 +15,7 @@ from restitution.explaining.awarding.place_conditions import (
     put_together,
 )
 from restitution.explaining.awarding.work import Work, is_settled, length, single_sides, subject_of
+from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
     FLIPPED,
@@ -271,6 +272,16 @@ def rests_on_facts(work: Work, line: Line) -> bool:
         or (whole and other.move.record == "energy" and rests_on_facts(work, other))
         for other in work.cited(line)
     )
+
+
+def _is_share_of_the_data(work: Work, line: Line) -> bool:
+    """It is the share of an energy that is lost, where the loss is given and needs no line."""
+    match line.relation:
+        case Relation(((Link(Binary("/", Quantity(kind), Quantity("energy")), "="), *_),)):
+            cited = list(work.cited(line))
+            lost = any(other.shown == "silent" for other in cited) or len(cited) == 1
+            return kind in LOSSES and lost and all(rests_on_facts(work, e) for e in cited)
+    return False
 
 
 def _at_sight(work: Work, line: Line) -> bool:
@@ -562,7 +573,7 @@ def _of_an_offset(work: Work, line: Line) -> bool:
         fact.id
         for other in work.above(line)
         for fact in work.facts(other)
-        if other.move.id == "fact"
+        if other.move.id == "fact" or letter_of_offset(other) is not None
     }
     return any(
         fact.id not in above and any(is_function(node, "arcsin") for node in walk(tree))
@@ -637,6 +648,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-a-sum": _of_a_sum,
     "fact-of-motion": _fact_of_motion,
     "claim-without-method": _claim_without_method,
+    "share-of-the-data": _is_share_of_the_data,
     "of-an-offset": _of_an_offset,
     "displaced": displaced,
     "of-an-impulse": _of_an_impulse,

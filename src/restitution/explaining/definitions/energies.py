@@ -133,7 +133,10 @@ def total(step: Step, event: Event | None) -> Iterator[Link]:
     if event is not None and event.kind == "impact":
         before = Quantity("energy", (), number - 1)
         lost = Quantity("energy_lost", (), number)
-        yield Link(Quantity("energy", (), number), "=", Binary("-", before, lost))
+        bodies = step.setting.spheres
+        for own in ((), tuple(map(Name, bodies))) if len(bodies) == 1 else ((),):
+            # The energy of all is that of the one body.
+            yield Link(Quantity("energy", own, number), "=", Binary("-", before, lost))
     yield from _of_given_speeds(step)
 
 

@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     children,
     is_binary,
     is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -36,6 +37,7 @@ from restitution.planning.closing.squared_ratios import write_by_squares
 from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import energy_change
 from restitution.planning.formulas.fractions_lost import fraction_lost, ratio_of_energies
+from restitution.planning.formulas.given_values import given_energy
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.separations import relative_speed, relative_velocity
 from restitution.planning.formulas.velocity_formulas import squared_speed, velocity_source
@@ -327,6 +329,8 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
     if is_duration(node):
         number, value = journeys.write(scene, node)
         return Source(value, (number,))
+    if (known := given_energy(scene, node) or _given_in_all(scene, node)) is not None:
+        return known
     if isinstance(node, Quantity):
         if write_by_squares(scene, node, formula_of_squares) is not None:
             return scene.desk.known(node)
@@ -335,6 +339,18 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
         own = formula(scene, node)
         return Source(own.value, (write_formula(scene, own),))
     return None
+
+
+def _given_in_all(scene: Scene, node: Expression) -> Source | None:
+    """What the only impact takes, as it is given of that impact; None of another quantity."""
+    if not is_quantity(node, "total_energy_lost") or node.stage != 1:
+        return None
+    known = given_energy(scene, Quantity("energy_lost", (), 1))
+    if known is None or 1 not in scene.model.frames:
+        return None
+    equal = chain(node, (tree_of(known.value), None))
+    line = scene.judge.write((Move("define", "total-lost", 1),), known.refs, equal, shown="silent")
+    return None if line is None else Source(known.value, (line,))
 
 
 def _datum(scene: Scene, node: Quantity) -> Source:

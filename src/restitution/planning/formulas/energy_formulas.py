@@ -27,6 +27,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.angle_formulas import velocity_as_a_line
 from restitution.planning.formulas.components_of_data import before_a_wall
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
+from restitution.planning.formulas.given_values import given_energy
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.standing_vectors import change_as_vectors
 from restitution.planning.formulas.velocity_formulas import (
@@ -75,7 +76,8 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
     """A kinetic energy, ½mv²."""
     assert isinstance(quantity.stage, int)
     names = [argument.name for argument in quantity.arguments if isinstance(argument, Name)]
-    if not names and (left := _left_of_energy(scene, quantity)) is not None:
+    alone = tuple(names) == tuple(scene.model.story.spheres)
+    if (alone or not names) and (left := _left_of_energy(scene, quantity)) is not None:
         return left
     bodies = names or list(scene.model.story.spheres)
     terms: list[Expression] = []
@@ -195,10 +197,10 @@ def _speed_of_energy(scene: Scene, body: str, stage: int, known: Source, record:
 
 
 def _known_value(scene: Scene, tree: Expression) -> Source | None:
-    """What a line says of an expression, with nothing open in it."""
+    """What a line, or a given fact, says of an expression, with nothing open in it."""
     known = scene.desk.known(tree)
     if known is None:
-        return None
+        return given_energy(scene, tree)
     value, more = scene.put(known.value)
     return None if scene.unknown(value) else Source(value, together(known.refs, more))
 
@@ -255,12 +257,14 @@ def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | N
     Where that of one impact alone is none yet, it is written.
     """
     happenings = (scene.model.happening(number).step for number in range(1, stage + 1))
-    if stage < 2 or any(isinstance(happening, Arrival) for happening in happenings):
+    if any(isinstance(happening, Arrival) for happening in happenings):
+        return None
+    if stage == 1 and given_energy(scene, Quantity("energy_lost", (), 1)) is None:
         return None
     losses = [Quantity("energy_lost", (), n) for n in range(1, stage + 1)]
     lost = [_known_value(scene, quantity) for quantity in losses]
     missing = [quantity for quantity, known in zip(losses, lost, strict=True) if known is None]
-    if len(missing) == 1:
+    if len(missing) == 1 < stage:
         own_loss = energy_lost_formula(scene, missing[0])
         if not scene.unknown(own_loss.value):
             number_ = write_formula(scene, own_loss)

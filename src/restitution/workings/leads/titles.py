@@ -255,6 +255,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
     def _of_energy(self, record: Record, line: Line, event: Event | None) -> SentenceId | None:
         """What is lost, and whether it is lost along the line of centres alone."""
         assert isinstance(line.relation, Relation)
+        if len(line.premises) == 1 and self._derivation.facts_in(line.premises):
+            return None  # it is given
         match record.id, line.relation.options[0][0].left:
             case "energy-ratio", Binary("/", Quantity(kind)) if kind in LOSSES:
                 at_a_wall = event is not None and event.wall and not self._by_speeds(line)

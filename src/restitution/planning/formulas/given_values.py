@@ -1,0 +1,23 @@
+"""Energies that the statement gives: they are quoted, and not worked out."""
+
+from __future__ import annotations
+
+from restitution.expression.quantities import ENERGIES
+from restitution.expression.tree import Expression, Quantity, has_quantity
+from restitution.planning.writing.desk import Source, together
+from restitution.planning.writing.scene import Scene
+
+
+def given_energy(scene: Scene, quantity: Expression) -> Source | None:
+    """The value of an energy, or of a loss, as it is given; None of what no fact says alone."""
+    if not isinstance(quantity, Quantity) or quantity.kind not in ENERGIES:
+        return None
+    for equation in scene.given:
+        link = equation.link
+        if link.left == quantity and link.sign == "=" and not has_quantity(link.right):
+            value, more = scene.put(scene.scalar(link.right))
+            return None if scene.unknown(value) else Source(value, together(equation.refs, more))
+    return None
+
+
+__all__ = ["given_energy"]
