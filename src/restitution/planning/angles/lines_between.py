@@ -201,8 +201,11 @@ def sine_of_an_offset(scene: Scene, asked: Quantity, letter: str, meaning: Ref) 
     None of another angle, and where an answer has the line of centres itself.
     """
     lines = [side for side in asked.arguments if is_quantity(side, "line_of_centres")]
-    fact = scene.facts.get(f"axis {lines[0].stage}") if len(lines) == 1 else None
-    if fact is None or any(end.answer.options[0][0].left in lines for end in scene.desk.ends):
+    impact = lines[0].stage if len(lines) == 1 else None
+    fact = scene.facts.get(f"axis {impact}")
+    if fact is None or not isinstance(impact, int):
+        return None
+    if any(end.answer.options[0][0].left in lines for end in scene.desk.ends):
         return None
     own = offset_angle(fact.relation.only[0], roles(scene.problem))
     value = None if own is None else tidy(scene.scalar(own.sine))
@@ -211,7 +214,7 @@ def sine_of_an_offset(scene: Scene, asked: Quantity, letter: str, meaning: Ref) 
     subject = Apply("sin", Letter(letter))
     whole = chain(subject, (own.sine, None), (tree_of(value), "rearrange"))
     pool = (fact.id, meaning)
-    return scene.judge.write((Move("define", "scalar-angle", lines[0].stage),), pool, whole)
+    return scene.judge.write((Move("define", "scalar-angle", impact),), pool, whole)
 
 
 __all__ = [
