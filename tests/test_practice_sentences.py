@@ -49,6 +49,29 @@ def test_a_total_in_joules_is_an_energy() -> None:
     assert [line["verdict"] for line in found["lines"]] == ["true", "true"]
     assert found["marks"]["earned"] == found["marks"]["of"]
     assert verdicts(statement, lines[0], "total = 21 J")[1] == "false"
+    assert verdicts(statement, lines[0], "total 20 J") == ["true", "true"]
+    assert verdicts(statement, lines[0], "total 21 J")[1] == "false"
+
+
+def test_a_speed_squared_is_its_square() -> None:
+    statement = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind speed(P)"
+    assert verdicts(statement, "9 + 4 = 13 is final speed squared") == ["true"]
+    assert verdicts(statement, "speed of P after squared = 15") == ["false"]
+
+
+def test_what_a_unit_vector_becomes_is_a_component() -> None:
+    statement = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind speed(P)"
+    assert verdicts(statement, "i stays 3", "j becomes 1/2 x 4 = 2") == ["true", "true"]
+    assert verdicts(statement, "so j becomes 1/4 x 4 = 1") == ["false"]
+
+
+def test_equations_behind_a_result_are_whole() -> None:
+    statement = "wall W: along i\nsphere P: velocity u at 50° to W\nP hits W: e = 1/2\nfind "
+    line = "tan x = 0.5 tan 50 from v cos x = u cos 50 and v sin x = 0.5(u sin 50)"
+    statement += "angle(velocity(P), W)"
+    assert [line["verdict"] for line in marked(statement, line, x="angle after")["lines"]] == [
+        "true"
+    ]
 
 
 def test_what_is_left_and_what_is_lost_are_shares() -> None:

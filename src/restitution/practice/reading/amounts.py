@@ -80,7 +80,9 @@ VECTOR_FOR = re.compile(
     rf"(^|[,;]|\band\b|\bso\b)\s*({_PAIR})\s+for\s+([A-Z])(?=\s*(?:$|[,;.]|and\b))"
 )
 TOTAL_IN_JOULES = re.compile(
-    r"(?<![\w=])\s*(total)(?=\s*=\s*[^=,;]*\d\s*(?:J|joules?)\b)", re.IGNORECASE
+    r"(?<![\w=])\s*(total)(?:(?=\s*=\s*[^=,;]*\d\s*(?:J|joules?)\b)"
+    r"|\s+(?:is\s+|of\s+)?(?=\d[\d./]*\s*(?:J|joules?)[\s.]*$))",
+    re.IGNORECASE,
 )
 IS_A_SHARE = re.compile(
     rf"(?:^|(?<=[,;]))\s*(?:so\s+)?(?:the\s+)?(?:final\s+|new\s+)?{_KE}(?:\s+(?:after|left|now))?\s+is\s+"
@@ -185,7 +187,7 @@ def vector_for(match: re.Match[str], problem: Problem) -> str:
 
 def total_in_joules(match: re.Match[str], _: Problem) -> str:
     """The energy that a total in joules is: one before or after, or what is lost."""
-    return "total KE"
+    return "total KE" if match[0].endswith(match[1]) else "total KE = "
 
 
 def is_a_share(match: re.Match[str], _: Problem) -> str:

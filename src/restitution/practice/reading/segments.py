@@ -239,6 +239,8 @@ def _without_swallowed(segment: Segment) -> Segment:
     end = 1
     while end < len(tokens) and tokens[end].gap == 0:
         end += 1
+    if end < len(tokens) and tokens[end - 1].kind == "letter" and tokens[end].kind == "function":
+        return segment  # from v cos x = u cos α
     if end >= len(tokens) or end > 4 or any(token.kind == "relation" for token in tokens[:end]):
         return segment
     begins = tokens[end].kind in _OPERANDS or tokens[end].kind == "|"

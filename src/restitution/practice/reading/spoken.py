@@ -38,6 +38,16 @@ _IT_IS = re.compile(
 _BECOMES = re.compile(
     rf"\bthe\s+({_NUMBER})\s+(?:becomes|turns\s+into|changes\s+to|goes\s+to)\s+", re.IGNORECASE
 )
+_SPEED_SQUARED = re.compile(
+    r"\b(speed(?:\s+(?:of\s+[A-Z]|before|after|initially|finally|afterwards))*)\s+squared\b",
+    re.IGNORECASE,
+)
+# What is said of the part of a velocity along an axis: ``j becomes 1/3 × 9 = 3``, ``i stays -12``.
+_AXIS_BECOMES = re.compile(
+    r"(^|[,;]|\band\b|\bso\b)\s*(?:the\s+)?([ij])\s+(?:(?:part|bit|component|comp|cpt)\s+)?"
+    r"(?:now\s+)?(?:becomes|stays(?:\s+at)?|remains(?:\s+at)?|changes\s+to|goes\s+to|turns\s+into)"
+    r"\s+(?=[-−\d(√½⅓¼⅔¾])",
+)
 _TURNED = re.compile(
     r"\b(?:(?:it(?:'s|’s)?|they|(?:the\s+)?(?:ball|sphere|particle|puck|path))\s+|([A-Z])\s+)?"
     r"(?:(?:is|are|was|gets|has|has\s+been)\s+)?(?:turned|turns|deflected)\s+(?:(?:through|by)\s+)?"
@@ -304,6 +314,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
+    (_SPEED_SQUARED, lambda match, _: f"{match[1]}^2"),
+    (_AXIS_BECOMES, lambda match, _: f"{match[1]} {match[2]} component after = "),
     (_TURNED, _turned),
     (_AXIS, lambda match, _: f" {match[1]} direction: "),
     (_OTHER_AXIS, _other_axis),
