@@ -85,6 +85,7 @@ def sum_at_a_wall(
         return None
     move = Move("define", "sum", frame.number, (name.name,))
     angle = angle_of_approach(scene, name.name, frame)
+    refs: tuple[Ref, ...]
     if angle is not None:
         before, refs = term_of_data(scene, angle), data_of_approach(scene, name.name, frame)
     else:

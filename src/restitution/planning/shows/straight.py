@@ -49,7 +49,7 @@ def _is_multiple(scene: Scene, shown: Link, number: int) -> bool:
     if has_quantity(link.left) or has_quantity(link.right):
         return False
     own, wanted = (scene.scalar(e.left) - scene.scalar(e.right) for e in (link, shown))
-    return expanded(own) != 0 and sp.cancel(wanted / own).is_number
+    return bool(expanded(own) != 0 and sp.cancel(wanted / own).is_number)
 
 
 def without_a_detour(scene: Scene, shown: Link, number: int) -> int:
