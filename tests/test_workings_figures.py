@@ -209,6 +209,14 @@ def test_with_a_calculator_roots_have_figures_too(statement: str, says: list[str
     assert [value for value in says if value not in text] == []
 
 
+def test_a_ratio_has_the_figures_that_stand_above_also_where_they_come_to_four() -> None:
+    text = printed(
+        "sphere A, B: mass m\nsphere A: velocity u i\nsphere B: at rest\nA hits B: along 35°\n"
+        "given deflection(A) = 40°\nfind e, energy_lost/energy(0)"
+    )
+    assert "fraction lost ≈ 0.1023mu²/(½mu²) ≈ 0.205" in text
+
+
 def test_the_power_of_a_number_does_not_run_into_a_letter() -> None:
     text = printed(
         "sphere A: mass m, velocity 8i\nsphere B: mass 2m, at rest\n"

@@ -411,3 +411,19 @@ def test_a_least_value_is_reached_where_the_plain_square_is_zero() -> None:
     )
     assert "= √((3d − Tu − Tu/2)² + d²) = √((3d − 3Tu/2)² + d²)" in text
     assert "when 3d − 3Tu/2 = 0, so T = 2d/u" in text
+
+
+def test_a_speed_along_an_axis_shows_the_value_that_is_put_in() -> None:
+    text = (
+        "wall W: along 2i - j\nsphere P: mass m, velocity 5u i + 5u j\nP hits W\npart a\n"
+        "find velocity(P)\npart b\ngiven velocity(P) parallel to j\nfind e, speed(P)"
+    )
+    assert "speed of P = (1 + 6 × ⅔)u = 5u" in in_a_row(text)
+
+
+def test_spheres_without_a_radius_are_particles_where_they_are_apart() -> None:
+    text = (
+        "sphere A: mass 1, velocity 4i + j\nsphere B: mass 2, velocity -2i + 2j\n"
+        "A hits B: along i, e = 1/2\nfind distance(A, B, at 3)"
+    )
+    assert "With the spheres as particles, together at the impact: distance apart" in in_a_row(text)

@@ -11,7 +11,7 @@ from restitution.components.telling import without_bars
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
-from restitution.explaining.lines.trees import trees_of
+from restitution.explaining.lines.trees import exchanged, trees_of
 from restitution.expression.tree import (
     COMPONENTS,
     Apply,
@@ -181,7 +181,12 @@ def squares(
     struck = known_vector(scene, body, stage)
     if struck is not None:
         value, more = scene.put(struck.value)
-        tree = total(square(tree_of(other)) for other in value if other != 0)
+        alone = sum(other != 0 for other in value) == 1
+        tree = total(
+            square(_with_numbers(scene, own) if alone and own != other else tree_of(other))
+            for own, other in zip(struck.value, value, strict=True)
+            if other != 0
+        )
         return tree, sum(other**2 for other in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
@@ -197,6 +202,18 @@ def squares(
     refs = together(*(source.refs for source in own), _bridge(frame, own))
     tree = total(square(tree_of(source.value)) for source in own if source.value != 0)
     return tree, sum(source.value**2 for source in own), refs
+
+
+def _with_numbers(scene: Scene, component: sp.Expr) -> Expression:
+    """A component with the numbers for its letters, not worked out: (1 + 6 × ⅔)u."""
+    tree = tree_of(component)
+    known = {name: scene.desk.known(Letter(name)) for name in letters(tree)}
+    put: dict[Expression, Expression] = {
+        Letter(name): tree_of(own.value)
+        for name, own in known.items()
+        if own is not None and own.value.is_number
+    }
+    return exchanged(tree, put) if put else tree_of(scene.put(component)[0])
 
 
 def shown_square(scene: Scene, body: str, stage: int) -> Source | None:
@@ -343,6 +360,9 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda value: value.count_ops())
     right = tree if value == 0 else Apply("sqrt", tree)
+    match tree:
+        case Binary("^", base, _) if base != tree_of(size) and scene.scalar(base) == size:
+            right = base
     own = Formula(move, itself, quantity, right, without_bars(scene.model, size), refs)
     return _by_its_square(scene, own) or own
 

@@ -585,7 +585,13 @@ def _same_angle(ratio: Expression, figures: Expression | None, inverse: str = "a
 def _differ(exact: Expression, put: Expression) -> bool:
     """Whether a value has other figures in an answer if figures are put in on the way."""
     one, other = rounded(exact), rounded(put)
-    return one is not None and other is not None and one != other
+    if one is None or other is None or one == other:
+        return False
+    value = _scalar(put)
+    if not is_binary(put, "/") or value is None or value.free_symbols:
+        return True
+    # A quotient that is a decimal with an end has its fourth figure still.
+    return figures_of(exact, _FIGURES_OF_ANSWERS) != figures_of(put, _FIGURES_OF_ANSWERS)
 
 
 def figures_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:

@@ -210,10 +210,13 @@ SENTENCES: Mapping[str, str] = {
         "{second} is at rest when {first} strikes it, and moves off along the line of centres, "
         "along {way}: so {first} has to be at {point} then."
     ),
-    "distance.relative": "Distance apart = relative speed × time",
+    "distance.relative": (
+        "With the spheres as particles, together at the impact: distance apart = relative speed × "
+        "time"
+    ),
     "distance.level": (
-        "Perpendicular to the line of centres {one} and {other} keep level, so distance apart = "
-        "relative speed along it × time"
+        "Perpendicular to the line of centres {one} and {other} keep level, so with the spheres as "
+        "particles distance apart = relative speed along it × time"
     ),
     "distance.why": (
         "The distance of two points follows from their coordinates by Pythagoras. Two bodies that "
