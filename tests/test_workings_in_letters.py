@@ -153,6 +153,45 @@ find range of tan(angle(velocity(P), W))
         ],
         ["not written out"],
     ),
+    "what a later part gives chooses between values of an earlier one": (
+        """
+wall W: along i
+sphere P: mass m, velocity 3i + q j
+P hits W: e = 1/2
+part a
+given speed(P) = 5
+find q
+part b
+given speed(P) = 5, q > 0
+find impulse
+""",
+        ["q = 8 or q = −8 (both are possible)", "q = 8, as q > 0", "m(8 + 4) = 12m"],
+        ["does not follow"],
+    ),
+    "a direction that a later part gives chooses too": (
+        """
+sphere A: mass m, velocity 2u i
+sphere B: mass k m, velocity -u i
+A hits B: along i, e = 1/2
+part a
+given speed(A) = u/2
+find k
+part b
+given speed(A) = u/2, velocity(A) in the direction of i
+find k
+""",
+        ["k = ½ or k = 5/4", "k = ½, as A moves in the direction of 𝐢"],
+        ["does not follow", "(b) From part (a): k = ½ or"],
+    ),
+    "of an angle that cancels no ratio is put in": (
+        WALL
+        + """P hits W
+given impulse = 4/3 m u sin(alpha), tan(alpha) = 3/2
+find e
+""",
+        ["(4/3)mu sin α", "e = ⅓"],
+        ["√13"],
+    ),
 }
 
 

@@ -16,7 +16,10 @@ def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
     Raises NotPlannedError where the solutions do not part at lines of alternatives.
     """
     if all(_same(draft, drafts[0]) for draft in drafts):
+        parted = [split[0] for split in drafts[0].splits[len(before.splits) :]]
         drafts[0].splits = before.splits if len(drafts) > 1 else drafts[0].splits
+        if len(drafts) > 1 and parted:
+            drafts[0].forget(min(parted))
         return drafts[0]
     desk = _joined(before, drafts, 0)
     if len(drafts) > 1:

@@ -75,6 +75,21 @@ def kept_for(scene: Scene, asked: Expression) -> Iterator[sp.Symbol]:
         yield from angles_by_squares(scene)
 
 
+def angles_that_cancel(scene: Scene, asked: Expression) -> Iterator[sp.Symbol]:
+    """The angles of which a ratio is given, and that may cancel where a letter is worked out."""
+    if not isinstance(asked, Letter) or scene.others or asked.name in scene.ratio_facts:
+        return
+    symbol = scene.model.unknowns.letter(asked.name)
+    if symbol in scene.unknown(symbol):
+        yield from map(scene.model.unknowns.letter, sorted(scene.ratio_facts))
+
+
+def is_without(scene: Scene, letter: Letter, symbol: sp.Symbol) -> bool:
+    """Whether what a letter is known to be has no angle in it."""
+    known = scene.desk.known(letter)
+    return known is not None and symbol not in sp.sympify(known.value, strict=True).free_symbols
+
+
 @contextmanager
 def keeping(scene: Scene, symbol: sp.Symbol) -> Iterator[None]:
     """For a while no ratio of an angle is put in."""

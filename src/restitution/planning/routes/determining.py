@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any
 
 import sympy as sp
@@ -19,6 +20,12 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.expressions import outermost, write_expression
 from restitution.planning.angles.turning import is_angle, quantity_of
+from restitution.planning.closing.squared_ratios import (
+    angles_that_cancel,
+    is_without,
+    keeping,
+    kept_for,
+)
 from restitution.planning.formulas.separations import event_of_relative
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError
@@ -109,6 +116,19 @@ def _determine_start(scene: Scene, solver: Solver, asked: Expression) -> bool:
             solver.determine(sorted(own & open_, key=str))
             return True
     return False
+
+
+def determine_by_squares(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """Everything that is asked, with no ratio of an angle put in where its square will serve."""
+    for symbol in (*kept_for(scene, asked), *angles_that_cancel(scene, asked)):
+        standing = solver.mark()
+        with suppress(NotPlannedError):
+            with keeping(scene, symbol):
+                determine(scene, solver, asked)
+            if not isinstance(asked, Letter) or is_without(scene, asked, symbol):
+                return
+        solver.back(standing)
+    determine(scene, solver, asked)
 
 
 def determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:

@@ -49,7 +49,9 @@ from restitution.planning.axes.momenta import write_by_momentum, write_total_kep
 from restitution.planning.axes.opposite_impulses import is_by_vectors
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.ratios import inverse
-from restitution.planning.closing.squared_ratios import keeping, kept_for, write_by_squares
+from restitution.planning.closing.squared_ratios import (
+    write_by_squares,
+)
 from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import speed_by_given_energy, speed_by_its_energy
 from restitution.planning.formulas.impacts import after
@@ -59,6 +61,7 @@ from restitution.planning.journeys.aimed_velocities import write_by_its_way
 from restitution.planning.routes.closed_before import write_from_above
 from restitution.planning.routes.determining import (
     determine,
+    determine_by_squares,
     determine_velocities,
     write_determined,
 )
@@ -145,7 +148,7 @@ def _determine(scene: Scene, solver: Solver, asked: Expression, *, placed: bool)
     if placed:
         solver.determine(journeys.goals(scene, asked))
     elif not _by_a_line_above(scene, solver, asked):
-        _determine_by_squares(scene, solver, asked)
+        determine_by_squares(scene, solver, asked)
         determine_velocities(scene, solver, asked)
         _determine_what_stands(scene, solver, asked)
 
@@ -216,20 +219,6 @@ def _determined(scene: Scene, solver: Solver, asked: Quantity) -> Formula:
         return own
     solver.determine(sorted(scene.unknown(own.value), key=str))
     return formula(scene, asked)
-
-
-def _determine_by_squares(scene: Scene, solver: Solver, asked: Expression) -> None:
-    """Everything that is asked, with no ratio of an angle put in where its square will serve."""
-    for symbol in kept_for(scene, asked):
-        standing = solver.mark()
-        try:
-            with keeping(scene, symbol):
-                determine(scene, solver, asked)
-        except NotPlannedError:
-            solver.back(standing)
-        else:
-            return
-    determine(scene, solver, asked)
 
 
 def _determine_what_stands(scene: Scene, solver: Solver, asked: Expression) -> None:
