@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.exact.angles import tidy_angle
+from restitution.exact.angles import plain_angle, tidy_angle
 from restitution.exact.numbers import denested, is_nested
 from restitution.exact.orientation import forward
 from restitution.exact.plain_angles import merged
@@ -27,6 +27,7 @@ __all__ = [
     "is_nested",
     "is_zero",
     "merged",
+    "plain_angle",
     "rationalised",
     "reduced_over_surds",
     "root_is_nested",

@@ -36,6 +36,31 @@ def tidy_angle(expression: Any) -> Any:
         return expression
 
 
+def plain_angle(value: Any) -> Any:
+    """An angle in radians in its usual form, if that has no inverse functions; else None.
+
+    A number that is by its digits no multiple of what its degrees are multiples of has them, and
+    no other form of it is sought.
+    """
+    if not value.free_symbols and not _may_be_plain(value):
+        return None
+    usual = tidy_angle(value)
+    return None if usual.has(*_ARCS) else usual
+
+
+_ARCS = (sympy.atan, sympy.acos, sympy.asin)
+
+
+def _may_be_plain(value: Expr) -> bool:
+    """Whether an angle is by its digits a multiple of half of what all degrees in it are."""
+    ratios = value.atoms(sympy.sin, sympy.cos, sympy.tan)
+    angles = (*(ratio.args[0] for ratio in ratios), *Add.make_args(value))
+    turns = [angle / sympy.pi for angle in angles]
+    below = math.lcm(24, 10, *(int(turn.q) for turn in turns if turn.is_Rational))
+    count = (value / sympy.pi * 2 * below).evalf(40)
+    return not count.is_real or abs(count - sympy.floor(count + HALF)) < Float("1e-15")
+
+
 def _tidy_angle(value: Expr) -> Expr:
     spend()
     if value.free_symbols:

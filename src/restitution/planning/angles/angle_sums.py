@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
@@ -184,7 +185,7 @@ def write_sum(scene: Scene, equation: GivenEquation, line: int | None = None) ->
         relation = chain(product(*subjects), (ONE, None))
         move = Move("identity", "complement")
     else:
-        value = tree_of(tidy(sp.tan(angle)))
+        value = tree_of(tidy(tangent_of_angle(angle)))
         relation = chain(tangent_of(form, subjects[0], subjects[1]), (value, None))
         move = Move("identity", "sum-of-angles")
     own_refs = scene.judge.enough(move, (base,), relation, ranges)

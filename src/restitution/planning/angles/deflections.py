@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
     COMPONENTS,
@@ -85,7 +86,7 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
 
 def _tangent_of(scene: Scene, angle: sp.Expr) -> tuple[Expression, tuple[Ref, ...]]:
     """``tan 60°``, or what the tangent of an angle is worth, with what that rests on."""
-    tangent, more = scene.put(sp.tan(angle))
+    tangent, more = scene.put(tangent_of_angle(angle))
     degrees = tree_of(angle, angle=True)
     named = isinstance(degrees, Degrees)
     return Apply("tan", degrees) if named else tree_of(tidy(tangent)), more

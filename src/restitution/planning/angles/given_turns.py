@@ -11,6 +11,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
@@ -107,7 +108,7 @@ def _by_angle(scene: Scene, equation: GivenEquation, turn: Turn) -> int | None:
         return made_of_angles(scene, turn, relation, given)
     if scene.model.identically_zero(sp.cos(value)):
         return None
-    ratio, more = scene.put(sp.tan(value))
+    ratio, more = scene.put(tangent_of_angle(value))
     if not ratio.free_symbols:
         own = Term(right, tree_of(tidy(ratio)), more if isinstance(right, Letter) else ())
         line = by_the_known(scene, turn, own, ratio, given)
@@ -129,7 +130,7 @@ def _by_angle(scene: Scene, equation: GivenEquation, turn: Turn) -> int | None:
     doubled = _as_its_double(scene, turn, terms, right, number)
     if doubled is not None:
         return doubled
-    tangent, more = scene.put(sp.tan(value))
+    tangent, more = scene.put(tangent_of_angle(value))
     if more:
         put = (tree_of(tangent), more)
         return by_tangents(scene, number, turn.form, terms, Apply("tan", right), put)
@@ -337,10 +338,10 @@ def _with_its_number(scene: Scene, line: int, angle: Expression) -> int | None:
     """
     match angle:
         case Binary("+" | "-" as sign, one, other) if not letters(angle):
-            tangents = [tidy(sp.tan(scene.scalar(tree))) for tree in (one, other)]
+            tangents = [tidy(tangent_of_angle(scene.scalar(tree))) for tree in (one, other)]
         case _:
             return None
-    value = tidy(sp.tan(scene.scalar(angle)))
+    value = tidy(tangent_of_angle(scene.scalar(angle)))
     if not all(number.is_Rational for number in (value, *tangents)):
         return None
     first, second = map(tree_of, tangents)

@@ -7,6 +7,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
@@ -64,7 +65,7 @@ def by_the_known(
     assert other is not None
     ratio = tidy(side.across.value / side.along.value)
     term = term_of_data(scene, other)
-    known, more = scene.put(sp.tan(scene.scalar(other)))
+    known, more = scene.put(tangent_of_angle(scene.scalar(other)))
     if (
         not scene.unknown(ratio)
         or known.free_symbols

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import sympy as sp
-
 from restitution import exact
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
@@ -71,10 +69,11 @@ def write_sum(scene: Scene, asked: Quantity, angle_line: Callable[[Scene, Quanti
         names.append(own.right if isinstance(own.right, Degrees) else Letter(letter))
         refs += [line, meaning]
     right = total(terms)
-    value = exact.tidy_angle(total_)
-    tree = tree_of(value, angle=True, as_it_is=True)
-    if value.has(sp.atan, sp.acos, sp.asin) and not value.free_symbols:
+    value = exact.tidy_angle(total_) if total_.free_symbols else exact.plain_angle(total_)
+    if value is None:
         tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
+    else:
+        tree = tree_of(value, angle=True, as_it_is=True)
     move, pool = Move("define", "sum", event, (body,)), together(refs)
     relation = chain(asked, (right, None), (tree, "rearrange"))
     named = not any(isinstance(node, Apply) for name in names for node in walk(name))

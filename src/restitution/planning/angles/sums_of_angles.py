@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from restitution.exact import tidy_angle
+from restitution.exact import plain_angle, tidy_angle
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Degrees,
     Expression,
@@ -16,7 +15,6 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     letters,
-    walk,
 )
 from restitution.planning.angles.decimal_angles import write_decimal
 from restitution.planning.angles.turn_lines import inverse_of_data
@@ -66,12 +64,12 @@ def write_sum_of_angles(scene: Scene, asked: Expression) -> tuple[int, Relation]
         terms.append(term)
         refs += own
     right = Binary(whole.op, *terms)
-    value: Any = tidy_angle(scene.scalar(right))
-    if value.free_symbols or any(letters(term) for term in terms):
+    whole_value: Any = scene.scalar(right)
+    if whole_value.free_symbols or any(letters(term) for term in terms):
         scene.desk.back(mark)
         return None
-    final = tree_of(value, angle=True, as_it_is=True)
-    final = right if any(isinstance(node, Apply) for node in walk(final)) else final
+    value = plain_angle(whole_value)
+    final = right if value is None else tree_of(value, angle=True, as_it_is=True)
     for last in ((final,), ()) if final != right else ((),):
         relation = chain(asked, (right, None), *((tree, "rearrange") for tree in last))
         for move in (Move("put"), Move("rearrange")):

@@ -12,6 +12,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Line, Meaning, Move, MoveId, Ref, Relation
 from restitution.expression.tree import (
     Apply,
@@ -94,10 +95,11 @@ def write_turn(
         whole += sp.pi
     letter, meaning = letter_of(scene, turn.asked)
     right = swept(turn.made_of(*trees))
-    value = exact.tidy_angle(whole)
-    plain = not value.atoms(sp.atan, sp.acos, sp.asin)
-    collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
-    final = tree_of(value, angle=True, as_it_is=True) if plain else swept(collected or right)
+    value = exact.plain_angle(whole)
+    if value is None:
+        final = swept(_collected(turn, trees) or _with_one_number(turn, trees) or right)
+    else:
+        final = tree_of(value, angle=True, as_it_is=True)
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))
     names = [*map(partial(_by_its_name, scene), sides, trees)]
     by_names = chain(
@@ -409,7 +411,7 @@ def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | No
     symbol = None if known is None else scene.model.unknowns.letter(known[0])
     worth = None if symbol is None else scene.desk.known(Letter(symbol.name))
     if symbol is not None and worth is not None and worth.value.is_number:
-        return Term(Letter(symbol.name), tree_of(tidy(sp.tan(worth.value))), worth.refs)
+        return Term(Letter(symbol.name), tree_of(tidy(tangent_of_angle(worth.value))), worth.refs)
     is_open = symbol is not None and (symbol in scene.kept or bool(scene.unknown(symbol)))
     if symbol is None or not is_open or tidy(tangent - sp.tan(symbol)) != 0:
         return None
@@ -420,7 +422,7 @@ def term_of_data(scene: Scene, angle: Expression) -> Term:
     """An angle of the data with its tangent: its value, where the angle was worked out."""
     tangent = Apply("tan", angle)
     if not isinstance(angle, Letter):
-        value = sp.tan(scene.scalar(angle))
+        value = tangent_of_angle(scene.scalar(angle))
         return Term(angle, tangent if value.free_symbols else tree_of(tidy(value)))
     if angle.name in scene.ratio_facts:
         ratio, worth, ref = given_ratio(scene, angle.name)

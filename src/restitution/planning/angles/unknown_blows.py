@@ -7,6 +7,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Letter, Name, Quantity
 from restitution.planning.angles.quantities import formula
@@ -101,7 +102,7 @@ def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
         Move("reject"), (line,), chain(Letter(size.name), (tree_of(value), None))
     )
     scene.desk.know(Letter(size.name), value, (line,))
-    tangent = tidy(sp.tan(scene.final(angle)))
+    tangent = tidy(tangent_of_angle(scene.final(angle)))
     subject = Apply("tan", Letter(angle.name))
     sine = next(n for n, value in enumerate(open_) if value.has(sp.sin))
     line = scene.desk.write(

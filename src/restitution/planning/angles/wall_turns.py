@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
@@ -169,7 +170,7 @@ def given_at_a_wall(
         number = scene.desk.write(move, premises, relation)
         value = scene.desk.last_link(line).right
         terms = (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
-        number_ = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
+        number_ = by_tangents(scene, number, "sum", terms, tree_of(tidy(tangent_of_angle(turned))))
         if number_ is not None:
             return number_
     scene.desk.back(mark)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Move
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
@@ -58,7 +59,7 @@ def _opened(node: Expression, angle: Letter) -> Expression | None:
             return None
     if not isinstance(degrees, Degrees) or degrees.value % 90 == 0:
         return None
-    number = tidy(sp.tan(sp.pi * sp.Rational(str(degrees.value)) / 180))
+    number = tidy(tangent_of_angle(sp.pi * sp.Rational(str(degrees.value)) / 180))
     if number.has(sp.tan):
         return None
     sides = [Apply("tan", angle) if e == angle else tree_of(number) for e in (one, other)]

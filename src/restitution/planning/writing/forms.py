@@ -168,9 +168,10 @@ def in_tangents(value: sp.Expr) -> sp.Expr:
     """A quotient with sine over cosine as the tangent."""
     for ratio in value.atoms(sp.sin):
         (argument,) = ratio.args
-        put = cancelled(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
-        if not put.has(sp.cos(argument)):
-            value = put.subs(sp.Symbol("_t"), sp.tan(argument))
+        cosine = with_ratio(sp.cos, argument)
+        put = cancelled(value.subs(ratio, sp.Symbol("_t") * cosine))
+        if not put.has(cosine):
+            value = put.subs(sp.Symbol("_t"), with_ratio(sp.tan, argument))
     return value
 
 
