@@ -192,6 +192,28 @@ find e
         ["(4/3)mu sin α", "e = ⅓"],
         ["√13"],
     ),
+    "a condition by a complement is one of tan²": (
+        WALL
+        + """P hits W
+given angle(velocity(P), W) = 90° - alpha
+show tan(alpha) >= 1
+""",
+        ["1/tan α = e tan α tan²α = 1/e tan²α ≥ 1, as e ≤ 1", "tan α ≥ 1, as α is acute"],
+        ["tan(90° − α) ≤"],
+    ),
+    # tan²α = e, and the speed is u/(2 cos α).
+    "a range goes without a letter that is tied to another one": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given speed(A) = speed(B)
+find range of alpha
+find range of speed(A)
+""",
+        ["0° < α ≤ 45°", "Substituting for e in (3)", "u/2 < speed of A ≤ √2 u/2"],
+        ["not written out", "does not follow"],
+    ),
 }
 
 

@@ -36,6 +36,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.gathered_squares import one_square_a_side
 from restitution.planning.closing.letters_cleared import written_by_clearing
 from restitution.planning.closing.ratios import with_the_sum_of_squares
@@ -43,7 +44,7 @@ from restitution.planning.formulas.impacts import residual
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.routes.givens import write_given
-from restitution.planning.writing.desk import UNPLANNED
+from restitution.planning.writing.desk import UNPLANNED, chain
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
 from restitution.planning.writing.inequalities import (
     bounds,
@@ -92,7 +93,7 @@ class Ties:
             line = self._trial(lambda equation=given: self._tie(equation))  # type: ignore[misc]
             if line is not None:
                 none = False
-                yield self._with_values(line)
+                yield self._with_values(self._without_complement(line))
         if none:
             for symbol in self._linked():
                 line = self._trial(lambda symbol=symbol: self._closed(symbol))  # type: ignore[misc]
@@ -158,6 +159,27 @@ class Ties:
         line = self._without_roots(self._neat(given))
         scene.ties[equation.fact.id] = scene.desk.relation(line)
         return line
+
+    def _without_complement(self, line: int) -> int:
+        """An equation of tan(90° − α) as one of tan² α, where that stands alone; else as it is."""
+        scene, plain = self.scene, without_complements(self.scene, line)
+        if plain == line:
+            return line
+        own = residual(scene, plain)
+        angles = {function.args[0] for function in own.atoms(sp.sin, sp.cos, sp.tan)}
+        if len(angles) != 1:
+            return plain
+        (angle,) = angles
+        tangent, cosine = sp.Dummy("t", positive=True), sp.Dummy("c", positive=True)
+        put = {sp.sin(angle): tangent * cosine, sp.cos(angle): cosine, sp.tan(angle): tangent}
+        above = sp.fraction(sp.cancel(sp.together(own.xreplace(put))))[0]
+        if cosine in above.free_symbols or set(sp.Poly(above, tangent).monoms()) != {(2,), (0,)}:
+            return plain
+        factors = sp.Poly(above, tangent)
+        value = tidy(-factors.nth(0) / factors.nth(2))
+        relation = chain(square(Apply("tan", tree_of(angle))), (tree_of(value), None))
+        known = self.judge.known(letters(relation.only[0].right))
+        return self.judge.write((Move("rearrange"),), [plain, *known], relation) or plain
 
     def _with_values(self, line: int) -> int:
         """An equation for a letter with values put in that are known since; else as it is."""

@@ -80,8 +80,45 @@ def write_range(
                     relation = _by_its_ratio(claims, asked, line, relation)
             except NotPlannedError:
                 claims.worths.back(mark)
-                line, relation = _at_ends(claims, solver, asked, relation, shown)
+                without = None if shown else _without_a_tied_letter(claims, relation)
+                if without is not None:
+                    line = without
+                else:
+                    line, relation = _at_ends(claims, solver, asked, relation, shown)
     scene.desk.end(name, line, relation, shown=shown)
+
+
+def _without_a_tied_letter(claims: Claims, relation: Relation) -> int | None:
+    """The range of a quantity, worked out without a letter that the facts tie to others.
+
+    None where no letter is, or where that leads to no range.
+    """
+    scene, mark = claims.scene, claims.worths.mark()
+    free, shown = set(scene.free), list(scene.desk.shown)
+    for symbol in sorted(free - set(scene.kept), key=str):
+        scene.free.discard(symbol)
+        # Where an earlier range has its equation, that is where it is worked out.
+        scene.desk.shown += _equations_of(scene, symbol)
+        with suppress(*UNPLANNED):
+            return claims.join_the_rest(claims.write(relation), relation)
+        claims.worths.back(mark)
+        claims.ties.clear()
+        claims.conditions.clear()
+        scene.free |= free
+        scene.desk.shown[:] = shown
+    return None
+
+
+def _equations_of(scene: Scene, symbol: sp.Symbol) -> list[int]:
+    """The lines in force that say what a letter is, or its square, by other letters."""
+    own = Letter(symbol.name)
+    lines: list[int] = []
+    for line in scene.desk.lines:
+        match line.relation:
+            case Relation(((Link(left, "=", right),),)) if own in (left, right):
+                if not has_quantity(left) and not has_quantity(right):
+                    lines.append(line.number)
+    return [number for number in lines if scene.desk.holds(number)]
 
 
 def _at_ends(
