@@ -429,3 +429,96 @@ v = -eucosθ i + eusinθ j
 original u = ucosθ i - usinθ j
 v = -e u so opposite direction"""
     assert kinds(marked(WAY_BACK, lines, {"v": "velocity(P)"}))[-1] == ("A1*", "earned")
+
+
+SQUARE = """wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/4
+given deflection(P) = 90°
+part a
+find tan(alpha)
+part b
+find speed(P)"""
+PAIR = """sphere A: mass 2, velocity 5i + 2j
+sphere B: mass 3, velocity -i + 4j
+A hits B: along i, e = 1/3
+find velocity(A), velocity(B)"""
+BLOW = """wall W: along j
+sphere P: mass 2, velocity 3i - j
+P receives 4i + 8j
+find velocity(P), speed(P)"""
+CORNER = """wall AB: along i
+wall BC: along 100°
+sphere P: velocity 6 at 40° to AB
+P hits AB: e = 1/2
+part a
+find speed(P), angle(velocity(P), AB)
+P hits BC: e = 1/2
+part b
+find speed(P)"""
+SLOWER = """wall W: along j
+sphere P: mass 0.4, velocity 10 at 35° to W
+P hits W: e = 0.7
+find speed(P), angle(velocity(P), W)"""
+HALL = """wall W: along i, through (0, 0)
+wall X: along i, through (0, 6)
+sphere P: mass 1, at (0, 4), velocity 3i - 2j
+P hits W: e = 3/4
+part a
+find position(P, 1)
+part b
+P hits X: e = 2/3
+find time(2), position(P, 2)"""
+
+
+def states(statement: str, part: str | None, *lines: str, **letters: str) -> list[str]:
+    """The points of a script, each with its principle: ``B1 unchanged +``."""
+    solution = restitution.solve(restitution.parse(statement))
+    marks = restitution.mark(solution, list(lines), part, letters).marks
+    signs = {"earned": "+", "lost": "-", "open": "?"}
+    return [f"{x.point.kind} {x.point.principle} {signs[x.state]}" for x in marks.points]
+
+
+def test_what_stands_in_a_line_before_its_mistake_is_kept() -> None:
+    own = states(PAIR, None, "10 - 3 = 2v + 3w and w - v = 4/3")
+    assert own[1:5] == ["M1 momentum +", "A1 momentum +", "M1 restitution +", "A1 restitution -"]
+    angles = {"b": "angle(velocity(P), W)"}
+    both = "v cos b = u cos α and v sin b = 4u sin α"
+    assert states(SQUARE, "a", both, "tan b = 4 tan α", **angles)[0] == "B1 unchanged +"
+    assert states(SLOWER, None, "perp after = 0.7 x 10 sin35 = 4.52")[1] == "B1 restitution +"
+
+
+def test_a_method_stands_above_a_slip_and_where_one_part_is_right() -> None:
+    assert states(SQUARE, "b", "v² = u²/5 + u²/20", "v² = u²/25")[0] == "M1 speed +"
+    lines = ["para = 8.19, perp = 4.02", "speed = √(67.1 + 4.02) = 8.43"]
+    assert "M1 speed +" in states(SLOWER, None, *lines)
+    assert "M1 speed -" in states(SLOWER, None, lines[0], "speed = √(60 + 4.02) = 8.00")
+
+
+def test_an_impulse_without_its_mass_has_no_method() -> None:
+    own = states(BLOW, None, "v = 3i - j + 4i + 8j = 7i + 7j", "speed = 7√2 = 9.90")
+    assert own == [f"{x} -" for x in ("M1 impulse", "A1 impulse", "A1 answer")] + [
+        "M1 speed +",
+        "A1ft speed -",
+    ]
+
+
+def test_a_wrong_angle_to_a_wall_is_no_method_for_it() -> None:
+    lines = ["angle with BC = 80 - 22.76 = 57.24", "parallel = 4.984cos57.24 = 2.697"]
+    lines += ["perp = 0.5 x 4.984sin57.24 = 2.096", "speed = 3.42"]
+    own = states(CORNER, "b", *lines)
+    assert [x[-1] for x in own if x[:2] == "M1"] == ["-", "-"]
+    assert [x[-1] for x in own if x[:2] == "B1"] == ["+", "+"]
+    assert own[-2:] == ["DM1 speed +", "A1ft speed -"]
+
+
+def test_the_coordinate_of_the_wall_need_not_be_said() -> None:
+    assert states(HALL, "a", "t = 4/2 = 2", "x = 3 x 2 = 6")[-1].endswith("+")
+    assert states(HALL, "a", "t = 4/2 = 2")[-1].endswith("-")
+
+
+def test_a_coordinate_follows_from_his_own_time() -> None:
+    solution = restitution.solve(restitution.parse(HALL))
+    lines = ["6 = 2(T - 2)", "T = 5", "x = 3 x 5 = 15, position (15, 6)"]
+    marking = restitution.mark(solution, lines, "b", {"T": "time(2)"})
+    assert [line["verdict"] for line in marking.json()["lines"]] == ["false", "follows", "follows"]

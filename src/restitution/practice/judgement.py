@@ -76,7 +76,8 @@ class JudgedLine:
     this line where it is not what they mean in the script. ``grounded`` tells that a true line does
     not rest on a false one above it, as far as that can be told, ``his_own`` that one which does
     follows from the student's own values too. ``mended`` is the link that fails
-    as it would be without a slip, with what it then uses.
+    as it would be without a slip, with what it then uses. ``before`` are the laws of the relations
+    that stand, and are true, before the one that fails.
     """
 
     line: ScriptLine
@@ -93,6 +94,7 @@ class JudgedLine:
     his_own: bool = False
     meant: Mapping[str, Expression] = field(default_factory=dict, compare=False)
     mended: tuple[Claim, tuple[Use, ...]] | None = None
+    before: tuple[Use, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -264,7 +264,8 @@ class _Sitting(Doubts):
             if not is_phrase(m.letter) and m.letter not in unknown
         }
         bench = self.bench
-        for world in islice(judge_.students(), 1):
+        worlds = (judge_.students(), judge_.students_without(unknown))
+        for world in chain.from_iterable(islice(own, 1) for own in worlds):
             every = meanings_of(
                 self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
             )

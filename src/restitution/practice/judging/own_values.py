@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -29,6 +29,7 @@ from restitution.practice.judging.entries import (
     Entry,
     Meanings,
     is_numeric,
+    names_of,
 )
 from restitution.practice.judging.explained import Explained, Stated
 from restitution.practice.judging.holding import Holding
@@ -148,6 +149,12 @@ class OwnValues(Holding):
             worlds = self._worlds_of_student(tuple(self.entries))
             self._own = len(self.entries), _InTurn(worlds)
         return self._own[1]
+
+    def students_without(self, names: Collection[str]) -> Iterator[World]:
+        """The worlds of the lines that have none of some letters: their meanings are open."""
+        known = [entry for entry in self.entries if names_of(entry.claim).isdisjoint(names)]
+        if len(known) < len(self.entries):
+            yield from self._worlds_of_student(known)
 
     def _worlds_of_student(self, entries: Sequence[Entry]) -> Iterator[World]:
         # Who puts two angles together wrongly has no other motion by that.
@@ -362,6 +369,34 @@ class OwnValues(Holding):
         if key not in self._known_uses:
             self._known_uses[key] = self._first_uses(entry)
         return self._known_uses[key]
+
+    def _uses(
+        self, line: ScriptLine, links: Sequence[JudgedLink]
+    ) -> tuple[tuple[Use, ...], tuple[Use, ...]]:
+        """The laws that a line uses, and those that its relations state, one each at most."""
+        uses: dict[Use, None] = {}
+        stated: dict[Use, None] = {}
+        for link, judged in zip(line.links, links, strict=True):
+            if judged.verdict in ("true", "follows", "false", "unsupported"):
+                entry = self._entry(line, link, judged)
+                if judged.right is not None:  # of a law, with wrong numbers in it
+                    entry = replace(entry, claim=judged.right, right=True)
+                own = self.uses_of_entry(entry)
+                uses.update(dict.fromkeys(own))
+                if all(use.principle != "value" for use in own):
+                    stated.update(dict.fromkeys(own[:1]))
+        if len(uses) > 1:
+            uses.pop(Use("arithmetic"), None)
+        return tuple(uses), tuple(stated)
+
+    def _uses_before(
+        self, line: ScriptLine, links: Sequence[JudgedLink], place: int
+    ) -> tuple[Use, ...]:
+        """The laws of the relations before the one that fails."""
+        above = links[:place]
+        if not self._names or not above or any(link.verdict != "true" for link in above):
+            return ()
+        return self._uses(replace(line, links=line.links[:place]), above)[0]
 
     def _first_uses(self, entry: Entry) -> tuple[Use, ...]:
         if is_identity(entry, self._base):

@@ -52,6 +52,7 @@ from restitution.practice.judging.plain_laws import SHOWN
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.squares import is_square_of_a_size, is_worth
 from restitution.practice.judging.typed_energies import (
+    are_one_number,
     given_energies,
     has_half,
     has_square,
@@ -248,7 +249,9 @@ def _is_energy_of_one(entry: Entry, world: World) -> bool:
     """Whether the energy of all spheres is given that of some of them, while the others move."""
     for quantity, value in given_energies(world):
         for one, other in permutations((entry.claim.left, entry.claim.right)):
-            if one == value and not is_bare(other):  # ½(2)(36) - ½(2)v² = 18 is all that is lost
+            if are_one_number(one, value) and not is_bare(
+                other
+            ):  # ½(2)(36) - ½(2)v² = 18 is all that is lost
                 stage = len(world.events) if quantity.stage is None else quantity.stage
                 lost = replace(quantity, stage=stage)
                 entry = replace(entry, claim=replace(entry.claim, left=lost, right=other))

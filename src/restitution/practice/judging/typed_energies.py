@@ -19,6 +19,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judging.claimed import meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.reading.relations import worked_out
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given
 
@@ -27,7 +28,12 @@ _TWO = Number(Fraction(2))
 
 def is_given_energy(tree: Expression, world: World) -> bool:
     """Whether a number is that of an energy, or of a loss of it, which the question gives."""
-    return any(value == tree for _, value in given_energies(world))
+    return any(are_one_number(value, tree) for _, value in given_energies(world))
+
+
+def are_one_number(one: Expression, other: Expression) -> bool:
+    """Whether two trees are alike, or numbers of one value: 45/4 and 11.25."""
+    return one == other or (worked_out(one) is not None and worked_out(one) == worked_out(other))
 
 
 def given_energies(world: World) -> Iterator[tuple[Quantity, Expression]]:

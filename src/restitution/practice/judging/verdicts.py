@@ -295,6 +295,7 @@ class Judge(Unlabelled):
             grounded=all(link.grounded for link in links),
             his_own=all(link.grounded or link.his_own for link in links),
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
+            before=self._uses_before(line, links, place) if verdict == "false" else (),
         )
 
     def _with_supposed_answer(self, line: ScriptLine) -> ScriptLine:
@@ -670,27 +671,6 @@ class Judge(Unlabelled):
         meant = self._meanings_of(claim.left.name, event)
         same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
         return claim if own in meant or not same else replace(claim, left=same[0])
-
-    # --- laws -------------------------------------------------------------------------------------
-
-    def _uses(
-        self, line: ScriptLine, links: Sequence[JudgedLink]
-    ) -> tuple[tuple[Use, ...], tuple[Use, ...]]:
-        """The laws that a line uses, and those that its relations state, one each at most."""
-        uses: dict[Use, None] = {}
-        stated: dict[Use, None] = {}
-        for link, judged in zip(line.links, links, strict=True):
-            if judged.verdict in ("true", "follows", "false", "unsupported"):
-                entry = self._entry(line, link, judged)
-                if judged.right is not None:  # of a law, with wrong numbers in it
-                    entry = replace(entry, claim=judged.right, right=True)
-                own = self.uses_of_entry(entry)
-                uses.update(dict.fromkeys(own))
-                if all(use.principle != "value" for use in own):
-                    stated.update(dict.fromkeys(own[:1]))
-        if len(uses) > 1:
-            uses.pop(Use("arithmetic"), None)
-        return tuple(uses), tuple(stated)
 
 
 def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:

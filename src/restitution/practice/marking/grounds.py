@@ -19,6 +19,7 @@ from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
 
 LAWS = ("momentum", "restitution", "unchanged")
+OF_ANGLES = ("angle", "component", "deflection")
 _OF_WHOLE_SPEEDS = frozenset({"speed-for-component", "restitution-whole-speed"})
 OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 
@@ -48,6 +49,8 @@ class Grounds:
         Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
         an earlier A or B, and no method of a law.
         """
+        if point.letter == "B" and point.principle in LAWS and self._is_at_old_wall(line):
+            return True  # the law is right, and the angle another point
         if not point.follows:
             return False
         begun = [root for root in self._roots(line) if not self._is_quoted(root)]
@@ -72,8 +75,13 @@ class Grounds:
         marks = [self.states[other.id] for other in above if other.id in self.states]
         lost = [mark for mark in marks if mark.state == "lost"]
         by_these = [mark for mark in lost if self._rests_on(mark.line, numbers)]
-        if any(mark.point.principle in LAWS and self._is_of_law(mark) for mark in by_these):
+        laws = (*LAWS, "impulse")
+        if any(mark.point.principle in laws and self._is_of_law(mark) for mark in by_these):
             return False
+        angles = [mark for mark in lost if mark.point.principle in OF_ANGLES]
+        wrong = [root for root in roots if self._is_of_wrong_angle(root)]
+        if wrong and any(mark.point.letter == "M" for mark in angles):
+            return all(map(has_name, wrong))  # that at another wall costs its own points
         unseen = [mark for mark in lost if mark.line is None and mark.point.letter == "A"]
         return any(
             mark.point.letter in "AB" and not mark.point.equation for mark in [*by_these, *unseen]
@@ -142,6 +150,18 @@ class Grounds:
         )
         of_speeds = line.verdict == "follows" and not worked and bool(names & _OF_WHOLE_SPEEDS)
         return point.principle == "speed" and of_speeds
+
+    def _is_of_wrong_angle(self, line: JudgedLine) -> bool:
+        """Whether a false line has the angle at another wall, or one to a line for no reason."""
+        if line.mistake is not None and line.mistake.id == "second-wall-angle":
+            return True
+        return not has_name(line) and not _is_slip(line) and self.values.is_of_an_angle(line)
+
+    def _is_at_old_wall(self, line: JudgedLine) -> bool:
+        """Whether nothing but the angle at another wall is wrong in a line, or above it."""
+        wrong = [root.mistake for root in ([line] if line.mistake else self._roots(line))]
+        old = all(mistake is not None and mistake.id == "second-wall-angle" for mistake in wrong)
+        return bool(wrong) and old
 
     def _has_no_turn(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line follows from another angle in the place of the deflection."""
@@ -297,6 +317,16 @@ class Grounds:
         )
         why = "the squares of the components are added"
         return None if wrong is None else PointMark(point, "lost", wrong.line.number, why)
+
+
+def has_name(line: JudgedLine) -> bool:
+    """Whether the mistake of a line is a misconception that has a name."""
+    mistake = line.mistake
+    return mistake is not None and mistake.kind == "misconception" and mistake.id is not None
+
+
+def _is_slip(line: JudgedLine) -> bool:
+    return line.mistake is not None and line.mistake.kind == "slip"
 
 
 def _names_of(line: JudgedLine) -> tuple[str, ...]:

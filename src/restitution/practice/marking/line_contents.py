@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
 
+import numpy as np
+
+from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Degrees,
     Expression,
@@ -17,6 +24,7 @@ from restitution.expression.tree import (
     Unit,
     has_unit_vector,
     is_binary,
+    is_function,
     is_quantity,
     letters,
     quantities_in,
@@ -24,11 +32,15 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.marking.sides import Sides, chains
+from restitution.practice.marking.sides import Sides, chains, spread_of
 from restitution.practice.reading.vocabulary import HEADS
+from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.problem import Impact
 from restitution.records import dataclass
 
+_ROUNDED = 0.006
+"""What a student's own rounding may move a value by."""
+Match = Literal["true", "own"]
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _UNITS = re.compile(
     r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt|\b(?:so|hence|thus|therefore|ans(?:wer)?)\b",
@@ -151,8 +163,15 @@ class LineContents(Sides):
         return bool(stages) and any(head in map(HEADS.get, words) for words in names)
 
     def adds_up(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line has a sum of vectors for the velocity that a point is for."""
+        """Whether a line puts together what a point is for, of parts of which one may be wrong.
+
+        That is a sum of vectors for a velocity, of squares for a speed, a difference of energies.
+        """
         link = point.link
+        if point.principle == "speed":
+            return self._adds_squares(point, line)
+        if point.principle == "energy":
+            return self._subtracts_energies(line)
         if link is None or not _is_of_velocity(point):
             return False
         meanings = self._meanings(line)
@@ -162,15 +181,70 @@ class LineContents(Sides):
             for chain in chains(line)
         )
 
+    def is_of_an_angle(self, line: JudgedLine) -> bool:
+        """Whether a line begins with the angle of a velocity to a line."""
+        left = line.line.links[0].readings[0].left if line.line.links else None
+        meant = self._meanings(line).get(left.name) if isinstance(left, Letter) else left
+        return is_quantity(meant, "angle")
+
+    def _adds_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line has a root of a sum for a speed, with the square of one component."""
+        speed = None if point.link is None else point.link.left
+        match speed:
+            case Quantity("speed", (Name(),) as body, int(stage)) if stage:
+                velocity = Quantity("velocity", body, stage)
+            case _:
+                return False
+        axes = (Quantity("line_of_centres", (), stage), Unit("i"))
+        parts = [Quantity(kind, (velocity, axis)) for kind in COMPONENTS for axis in axes]
+        meanings = self._meanings(line)
+        return any(
+            self._is_nearly(exchanged(claim.right, {root: Apply("sqrt", term)}), part, line)
+            for chain in chains(line)
+            if self._names(chain[0].left, speed, meanings, line)
+            for claim in chain
+            for root in walk(claim.right)
+            if is_function(root, "sqrt") and is_binary(root.argument, "+")
+            for term in (root.argument.left, root.argument.right)
+            for part in parts
+        )
+
+    def _subtracts_energies(self, line: JudgedLine) -> bool:
+        """Whether a line subtracts from the energy before, or one after from something."""
+        energies = [Quantity("energy", (), n) for n in range(len(self._base.events) + 1)]
+        return any(
+            self._is_nearly(term, energy, line)
+            for link in line.line.links
+            for node in walk(link.readings[0].right)
+            if is_binary(node, "-") and {type(node.left), type(node.right)} != {Number}
+            for term in (node.left, node.right)
+            for energy in energies
+        )
+
+    def _is_nearly(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a side has the size of a quantity, but for the student's rounding."""
+        try:
+            own, true = (
+                np.abs(spread_of(self._base, self._base.value(tree, *where)))
+                for tree, where in (
+                    (side, (self._meanings(line), line.line.scope)),
+                    (quantity, ()),
+                )
+            )
+        except (RestitutionError, UnvaluedError, TypeError):
+            return False
+        return bool(np.all(true > 0) and np.all(np.abs(own - true) <= _ROUNDED * true))
+
     def is_sum_of_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives the square of a point's speed as a sum: ``v² = u²/4 + u²/36``."""
         link = point.link
         if link is None or not is_quantity(link.left, "speed"):
             return False
         meanings = self._meanings(line)
+        wanted = (link.left, replace(link.left, kind="velocity"))
         return any(
             is_binary(chain[0].left, "^")
-            and self._names(chain[0].left.left, link.left, meanings, line)
+            and any(self._names(chain[0].left.left, tree, meanings, line) for tree in wanted)
             and any(is_binary(claim.right, "+") for claim in chain)
             for chain in chains(line)
         )
@@ -214,6 +288,32 @@ class LineContents(Sides):
         if link is None or not any(isinstance(node, Unit | Pair) for node in walk(vector)):
             return False
         return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def _completed_place(self, place: Quantity, lines: Sequence[JudgedLine]) -> Match | None:
+        """Whether the last of some lines gives the coordinate of a place that is still missing.
+
+        That of the wall which a sphere hits there is known.
+        """
+        parts = {axis: Quantity("along", (place, Unit(axis))) for axis in ("i", "j")}
+        own = {
+            axis: [line for line in lines if self.value_of(part, line) is not None]
+            for axis, part in parts.items()
+        }
+        if not any(given and given[-1] is lines[-1] for given in own.values()):
+            return None
+        if any(not given and axis != self._axis_across(place.stage) for axis, given in own.items()):
+            return None
+        sound = all(given[-1].verdict == "true" for given in own.values() if given)
+        return "true" if sound or self.his_own else "own"
+
+    def _axis_across(self, number: object) -> str | None:
+        """The axis at right angles to the wall along i or j that is hit in an event."""
+        if not isinstance(number, int) or not 0 < number <= len(self._base.events):
+            return None
+        event = self._base.events[number - 1]
+        walls = {wall.name: wall.along for wall in self._base.problem.walls}
+        along = walls.get(event.second) if isinstance(event, Impact) else None
+        return {"i": "j", "j": "i"}[along.axis] if isinstance(along, Unit) else None
 
     def _is_vector_part(self, vector: Expression, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a vector is the part of a velocity that the component of a point is the size of.

@@ -117,6 +117,14 @@ def without_slip(line: JudgedLine) -> JudgedLine:
     return replace(line, line=typed, verdict="true", uses=uses, mistake=None, link=None)
 
 
+def before_mistake(line: JudgedLine) -> JudgedLine:
+    """A line without the relation that fails, and those behind it, if others stand before it."""
+    if not line.before or line.link is None or line.verdict != "false":
+        return line
+    typed = replace(line.line, links=line.line.links[: line.link])
+    return replace(line, line=typed, verdict="true", uses=line.before, mistake=None, link=None)
+
+
 def as_true(line: JudgedLine) -> JudgedLine:
     """A line that follows, or that is misread, as if it held; any other as it is."""
     if line.verdict in ("follows", "false") and (
@@ -124,21 +132,6 @@ def as_true(line: JudgedLine) -> JudgedLine:
     ):
         return replace(line, verdict="true", mistake=None)
     return line
-
-
-__all__ = [
-    "SOUND",
-    "as_true",
-    "continues",
-    "ends_fine",
-    "fitting_uses",
-    "has_vector",
-    "is_plain",
-    "is_sound",
-    "subtracts_squares",
-    "without_slip",
-    "wrong_numbers",
-]
 
 
 def ratios_of_angles(claim: Claim) -> Iterator[tuple[str, Expression]]:
@@ -149,3 +142,20 @@ def ratios_of_angles(claim: Claim) -> Iterator[tuple[str, Expression]]:
         for node in walk(one):
             if is_function(node, *INVERSE.values()) and is_binary(node.argument, "/"):
                 yield node.function, node.argument
+
+
+__all__ = [
+    "SOUND",
+    "as_true",
+    "before_mistake",
+    "continues",
+    "ends_fine",
+    "fitting_uses",
+    "has_vector",
+    "is_plain",
+    "is_sound",
+    "ratios_of_angles",
+    "subtracts_squares",
+    "without_slip",
+    "wrong_numbers",
+]

@@ -13,9 +13,10 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.grounds import LAWS
+from restitution.practice.marking.grounds import LAWS, OF_ANGLES
 from restitution.practice.marking.lines import (
     as_true,
+    before_mistake,
     continues,
     ends_fine,
     is_plain,
@@ -242,10 +243,11 @@ class _Examiner(SinglePoints):
                     )
 
     def _is_at_old_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line follows from the angle at another wall: no angle is found for this one."""
-        wrong = (root.mistake for root in self._roots(line))
-        old = any(mistake is not None and mistake.id == "second-wall-angle" for mistake in wrong)
-        return old and point.principle in ("angle", "component")
+        """Whether a line follows from a wrong angle to a wall, or from that to another one.
+
+        No angle is found for this wall.
+        """
+        return point.principle in OF_ANGLES and any(map(self._is_of_wrong_angle, self._roots(line)))
 
     def _is_of_other_law(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a point is for a law at a wall that no mistake above a line concerns.
@@ -283,22 +285,43 @@ class _Examiner(SinglePoints):
                     self.states[name] = PointMark(state.point, "earned", own.line, why)
 
     def _forgive(self) -> None:
-        """A line that but for a slip earns a method, or has what stays in it, keeps that."""
-        mended = tuple(without_slip(line) for line in self.lines)
-        slips = {a.line.number for a, b in zip(self.lines, mended, strict=True) if a is not b}
-        if not slips:
-            return
+        """A line that but for a slip earns a method, or has what stays in it, keeps that.
+
+        What stands in a line before the relation that is false keeps all that it earns; before a
+        value that is worked out wrongly, the component that it is.
+        """
+        for mending, whole in ((without_slip, False), (before_mistake, True)):
+            mended = tuple(map(mending, self.lines))
+            false = {a.line.number for a, b in zip(self.lines, mended, strict=True) if a is not b}
+            if false:
+                self._keep_of(mended, false, whole=whole)
+
+    def _keep_of(self, mended: tuple[JudgedLine, ...], false: set[int], *, whole: bool) -> None:
+        """Keeps what lines that are false earn as they would be, a method or a ``whole`` line."""
         other = _Examiner(Judgement(mended, ()), self.scheme, self.values)
         other._apply()
+        why = "stands before the mistake" if whole else "a slip keeps the method"
         for point in self.scheme.points:
             own, there = self.states[point.id], other.states[point.id]
-            kept = point.letter == "M" or point.principle == "unchanged"
+            kept = whole or point.letter == "M" or point.principle == "unchanged"
             if self._of_difference(point) is not None:
                 continue
-            if not kept or own.state != "lost" or there.line not in slips:
+            if not kept or own.state != "lost" or there.line not in false:
+                continue
+            if whole and (there.implied or not self._stands_apart(point, there)):
                 continue
             if there.state == "earned" and own.line in (None, there.line):
-                self.states[point.id] = replace(there, why="a slip keeps the method")
+                self.states[point.id] = replace(there, why=why)
+
+    def _stands_apart(self, point: MarkPoint, there: PointMark) -> bool:
+        """Whether a point rests on a relation by itself, or on a component worked out wrongly."""
+        line = self._line(there.line)
+        place = None if line is None else line.link
+        if line is None or not place:
+            return False
+        links = line.line.links
+        apart = not continues(links[place - 1], links[place])
+        return apart or (point.letter == "B" and point.item is None and point.principle in LAWS)
 
     def _follow(self) -> None:
         """What follows from a mistake is right only where that has cost something: not forgiven."""
@@ -353,6 +376,9 @@ class _Examiner(SinglePoints):
                     for name in point.above
                     if self.states[name].point.letter == "M"
                 ]
+            if point.principle == "speed" and self._is_from_wrong_angle(own):
+                # A speed is put together from components in the same way at any angle.
+                needed = [mark for mark in needed if mark.point.principle not in OF_ANGLES]
             missing = next((mark for mark in needed if mark.state == "lost"), None)
             if missing is not None and not point.shown and self._is_sure(own):
                 continue
@@ -370,6 +396,11 @@ class _Examiner(SinglePoints):
             elif point.shown and self._is_leap(own, needed):
                 why = "a step is missing between the equations and the result"
                 self.states[point.id] = replace(own, state="lost", why=why)
+
+    def _is_from_wrong_angle(self, mark: PointMark) -> bool:
+        """Whether what earns a point follows from a wrong angle to a wall."""
+        line = self._line(mark.line)
+        return line is not None and any(map(self._is_of_wrong_angle, self._roots(line)))
 
     def _withdraw(self, number: int | None, why: str) -> None:
         """Takes away what the line of a printed result, under a line that is not true, gives."""

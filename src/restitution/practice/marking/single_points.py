@@ -9,7 +9,7 @@ from dataclasses import replace
 from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.judgement import JudgedLine, Use
-from restitution.practice.marking.grounds import LAWS, OF_DEFLECTION, Grounds
+from restitution.practice.marking.grounds import LAWS, OF_DEFLECTION, Grounds, has_name
 from restitution.practice.marking.lines import (
     SOUND,
     continues,
@@ -146,20 +146,20 @@ class SinglePoints(Grounds):
         tangent = self._by_tangent(point)
         if tangent is not None:
             return self._earned(point, tangent, "the angle by its tangent instead")
-        assembled = self._assembled(point)
-        if assembled is not None:
-            return self._earned(point, assembled, "its components put together")
+        if (assembled := self._assembled(point)) is not None:
+            return self._earned(point, assembled, "its parts put together")
         return lost or self._carried(point) or self._missing(point)
 
     def _assembled(self, point: MarkPoint) -> JudgedLine | None:
-        """A false line that adds up the parts of a velocity of which one only is wrong."""
-        if point.principle != "velocity":
+        """A false line that puts together parts of which one only is wrong, for no known reason."""
+        if point.principle not in ("velocity", "speed", "energy"):
             return None
         return next(
             (
                 line
                 for line in self.lines
                 if line.verdict == "false" and self.values.adds_up(point, line)
+                if point.principle == "velocity" or not has_name(line)
             ),
             None,
         )
@@ -346,8 +346,7 @@ class SinglePoints(Grounds):
 
     def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
-        wrong = line.mistake is not None and line.mistake.id == "second-wall-angle"
-        return wrong and any(
+        return self._is_at_old_wall(line) and any(
             other.letter == "M" and other.principle in ("angle", "component")
             for other in self.scheme.points
             if other.event in (None, point.event)
@@ -572,14 +571,14 @@ class SinglePoints(Grounds):
         stated wrongly below them.
         """
         law = point.principle
-        if law not in LAWS or use.altered is not None or line.verdict == "false":
+        if law not in (*LAWS, "impulse") or use.altered is not None or line.verdict == "false":
             return False
         if line.uses[0].principle == law and line.verdict != "follows":
             return False
         return any(
             other.verdict == "false"
             and any(
-                (own.principle, own.event) == (law, use.event) and own.altered
+                own.principle == law and own.event in (None, use.event) and own.altered
                 for own in fitting_uses(other)[:1]
             )
             for other in self.lines

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 
@@ -31,7 +30,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
-from restitution.practice.marking.line_contents import LineContents, place_in
+from restitution.practice.marking.line_contents import LineContents, Match, place_in
 from restitution.practice.marking.lines import ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
@@ -48,8 +47,6 @@ from restitution.practice.worlds.world import World
 from restitution.problem import Aligned, Compare, Given, Impact, Show
 from restitution.records import dataclass
 from restitution.vector import Vector
-
-Match = Literal["true", "own"]
 
 _STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
 _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
@@ -331,10 +328,12 @@ class Values(LineContents):
         return False
 
     def completes(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> Match | None:
-        """Whether the last of some lines completes the components of a point's velocity."""
+        """Whether the last of some lines completes the components of a velocity, or a place."""
         link = point.link
         if link is None or point.shown or not isinstance(link.left, Quantity) or not lines:
             return None
+        if link.left.kind == "position":
+            return self._completed_place(link.left, lines)
         if link.left.kind != "velocity":
             return None
         squares = [square for line in lines for square in self._squares(link.left, line)]
