@@ -11,8 +11,14 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import degrees
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import is_function, walk
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 
@@ -83,3 +89,15 @@ def test_angles_of_paths_at_whole_degrees_are_read_off() -> None:
     assert "arctan" not in shown
     assert "angle between 𝐯₁ and BC = 30° + 50° = 80°" in shown
     assert "(i) angle between 𝐯₂ and BC = 80°" in shown
+
+
+@pytest.mark.parametrize("angle", [36, 48])
+def test_a_tangent_of_components_has_no_roots_of_roots(angle: int) -> None:
+    problem = parse(
+        f"sphere A: mass 1, velocity 6 at 25°\nsphere B: mass 2, velocity 4 at 180° - {angle}°\n"
+        "A hits B: along i, e = 0.3\nfind deflection(A), deflection(B)"
+    )
+    derivation = plan(solve(problem))
+    trees = [tree for line in derivation.lines for tree in trees_of(line.relation)]
+    assert not any(is_function(node, "sqrt") for tree in trees for node in walk(tree))
+    assert not follow(derivation, Oracle(roles(problem)))

@@ -623,7 +623,12 @@ class Chains:
                 if figures != sides[-1]:
                     sides.append(figures)
                     signs.append("≈")
-        elif end is None and self._figures.with_calculator and is_sum_with_inverse(right):
+        elif (
+            end is None
+            and self._figures.with_calculator
+            and is_sum_with_inverse(right)
+            and not self._is_rounded_next(line)
+        ):
             degrees = degrees_of(right)
             sides += [self._naming.layout(degrees)] if degrees else []
             signs += ["≈"] if degrees else []
@@ -631,6 +636,12 @@ class Chains:
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
+
+    def _is_rounded_next(self, line: Line) -> bool:
+        """Whether another line has the value of this one in decimals."""
+        return any(
+            own.move.id == "value" and line.number in own.premises for own in self._derivation.lines
+        )
 
     def _is_carried(self, line: Line, link: Link) -> bool:
         """Whether a value with roots of sums of roots is used from here, and told no plainer."""
