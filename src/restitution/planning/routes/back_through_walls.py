@@ -29,7 +29,7 @@ def write_back_through_walls(scene: Scene) -> None:
     """The velocities before walls that slant, where the one behind the last of them is given."""
     for body in scene.model.story.spheres:
         events = [n for n in range(1, scene.events + 1) if body in scene.bodies(n)]
-        if len(events) > 1 and _are_known(scene, body, events):
+        if events and _are_known(scene, body, events):
             tried(scene, partial(_write, scene, body, events))
 
 
@@ -44,9 +44,7 @@ def _are_known(scene: Scene, body: str, events: list[int]) -> bool:
         return False
     if any(scene.unknown(scene.coefficient(number).value) for number in events):
         return False
-    if f"velocity {body}" not in scene.facts:
-        return False
-    early = scene.initial(body).value
+    early = scene.velocity(body, 0)
     return all(part.is_Symbol and scene.unknown(part) for part in early)
 
 
@@ -57,6 +55,11 @@ def _write(scene: Scene, body: str, events: list[int]) -> bool:
     source = Source(given[1], given[2])
     for number, stage in zip(reversed(events), (*reversed(events[:-1]), 0), strict=True):
         source = _before(scene, body, number, stage, source)
+    if f"velocity {body}" not in scene.facts:
+        # No letters are printed for a velocity that the statement leaves open.
+        for letter, part in zip(scene.velocity(body, 0), source.value, strict=True):
+            scene.desk.know(Letter(letter.name), part, source.refs)
+        return True
     data = scene.initial(body)
     link = chain(tree_of(data.value), (tree_of(source.value), None))
     whole = scene.judge.write((Move("put"),), (*source.refs, *data.refs), link)
@@ -95,6 +98,8 @@ def _before(scene: Scene, body: str, number: int, stage: int, late: Source) -> S
     value = tidy(-along.value / e.value)
     turned = scene.desk.write(Move("rearrange"), (law,), chain(towards, (tree_of(value), None)))
     parts = Source(value, (turned,)), Source(across.value, (stays,))
+    for component, part in zip((towards, beside), parts, strict=True):
+        scene.desk.know(component, part.value, part.refs)
     whole = put_together(body, stage, frame, parts)
     if stage == 0:
         whole = replace(whole, refs=together(whole.refs, frame.unit_free))
