@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Polar,
@@ -39,6 +40,37 @@ from restitution.vector import Vector
 
 def write_tie(scene: Scene, equation: GivenEquation) -> int:
     """The line in which a tie of directions becomes an equation."""
+    number = _tie(scene, equation)
+    _know_what_vanishes(scene, equation, number)
+    return number
+
+
+def _know_what_vanishes(scene: Scene, equation: GivenEquation, number: int) -> None:
+    """Takes a component that is zero for known, where its line has it in other letters.
+
+    It is not worked out from what these come to.
+    """
+    line = scene.desk.line(number)
+    (own, *more) = scene.desk.relation(number).only
+    if more or own.right != ZERO or line.move.event not in scene.model.frames:
+        return
+    for body in line.move.bodies:
+        component = scene.model.components.get((line.move.event or 0, body))
+        letter = None if component is None else Letter(component.symbol.name)
+        known = None if letter is None else scene.desk.known(letter)
+        if letter is None or known is None or not known.value.free_symbols:
+            continue
+        if tree_of(known.value) != own.left:
+            continue
+        lets = scene.desk.introducing({letter.name})
+        pool = together(equation.refs, lets, scene.frame(line.move.event or 0).refs)
+        nothing = Relation(((link(letter, ZERO),),))
+        zero = scene.judge.write((line.move,), pool, nothing, shown="silent")
+        if zero is not None:
+            scene.desk.know(letter, sp.Integer(0), (zero,))
+
+
+def _tie(scene: Scene, equation: GivenEquation) -> int:
     left, right, record = tied(equation.link) or (equation.link.left, equation.link.right, "")
     pair = [moving(scene, side) for side in (left, right)]
     both = [own for own in pair if own is not None]
