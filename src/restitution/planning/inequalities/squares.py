@@ -57,7 +57,7 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                 above = _standing_square(worths, side)
                 if above is not None:
                     lines.append(above)
-                    trees.append(worths.scene.desk.relation(above).only[0].right)
+                    trees.append(worths.scene.desk.relation(above).only[-1].right)
                     rooted = True
                     continue
                 own = formula(worths.scene, side)
