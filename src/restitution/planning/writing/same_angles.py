@@ -145,8 +145,10 @@ def tangent_by_the_same(scene: Scene, letter: str, line: int) -> int | None:
             worths[node] = tree_of(scene.put(scene.scalar(node))[0])
             own = _tangent(scene, node.argument) if isinstance(node.argument, Letter) else None
             put = put if node.function != "tan" or own is None else (own, *put)
-        final = tree_of(tidy(value))
-        steps = [(swept(exchanged(right, worths)), None), (final, "rearrange")]
+        final, between = tree_of(tidy(value)), swept(exchanged(right, worths))
+        steps = [(between, None), (final, "rearrange")]
+        if between == right:
+            steps = [(final, None)]  # values of letters are put in
     relation = chain(Apply("tan", Letter(letter)), *steps)
     premises = scene.judge.needed(Move("put"), (known, line, *put), relation)
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
@@ -173,6 +175,7 @@ def _components(scene: Scene, bodies: tuple[str, ...], event: int) -> Iterator[R
         if (kind == "velocity" and name in bodies) or kind == "wall" or fact == f"axis {event}":
             yield fact
     letters_ = {component.symbol.name for component in scene.model.components.values()}
+    worths: dict[str, int] = {}
     for line in scene.desk.lines:
         if not scene.desk.holds(line.number):
             continue
@@ -182,9 +185,10 @@ def _components(scene: Scene, bodies: tuple[str, ...], event: int) -> Iterator[R
         elif len(line.relation.options) == 1 and line.move.id != "law":
             left = line.relation.only[0].left
             if isinstance(left, Letter) and left.name in letters_:
-                yield line.number
+                worths[left.name] = line.number  # with the values that are put in last
         elif line.move.record in ("unchanged", "restitution-wall"):
             yield line.number
+    yield from worths.values()
 
 
 __all__ = ["angle_by_the_same", "tangent_by_the_same", "write_same_angle"]

@@ -138,7 +138,7 @@ class ComponentLeads(LinesAround):
                 name = "resolved.direct-speed"
             return _components(name, body=body, wall=wall)
         struck = struck_at_rest(self._derivation, self._naming, line)
-        if struck is not None and not self.tells_of_rest(struck, stage, event):
+        if struck is not None and not self.tells_of_rest(struck, stage, line):
             struck = None
         angle = angle_by_degrees(self._derivation, self._naming, line, event)
         if angle is not None:
