@@ -192,6 +192,18 @@ def is_no_product(step: Step, left: Expression, right: Expression) -> bool:
     return any(tree in products or _is_along(step, tree, left, right) for tree in zeros)
 
 
+def is_right_angle(step: Step, left: Expression, right: Expression) -> bool:
+    """Whether a line is cited by which the angle between two directions is 90°."""
+    wanted = {settled(side, step.setting.events) for side in (left, right)}
+    return any(
+        link.sign == "="
+        and link.right == RIGHT_ANGLE
+        and is_quantity(link.left, "angle")
+        and {settled(side, step.setting.events) for side in link.left.arguments} == wanted
+        for link in whole_links(step)
+    )
+
+
 def has_product(step: Step, left: Expression, right: Expression, sign: Sign) -> bool:
     """Whether a line is cited by which the scalar product of two directions has a sign."""
     products = [

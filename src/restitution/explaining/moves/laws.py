@@ -12,7 +12,7 @@ from restitution.explaining.definitions.at_events import WORKED_OUT, nothing
 from restitution.explaining.definitions.common import ZERO
 from restitution.explaining.definitions.journeys import places
 from restitution.explaining.definitions.senses import oriented
-from restitution.explaining.definitions.ties import is_no_product, tie_of, ties
+from restitution.explaining.definitions.ties import is_no_product, is_right_angle, tie_of, ties
 from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import BEARINGS, Event, Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
@@ -298,7 +298,9 @@ def stands(step: Step, line: Link, event: Event | None) -> bool:
         ahead = step.residual(along, rules)
         if not isinstance(ahead, Quotient) or oriented(step, ahead) != 1 or ahead.vanishes:
             return False
-    if tie[2] == "perpendicular to" and is_no_product(step, *tie[:2]):
+    if tie[2] == "perpendicular to" and (
+        is_no_product(step, *tie[:2]) or is_right_angle(step, *tie[:2])
+    ):
         return True
     for link in ties(step, event, *tie):
         own = step.setting.settled(link)

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.definitions.ties import tie_of
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, Showing
 from restitution.expression.tree import Apply, Name, Quantity, letters
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.writing.desk import Source, chain, together
@@ -22,7 +22,7 @@ from restitution.planning.writing.scene import Scene
 def component_at_right_angles(
     scene: Scene, kind: str, body: str, stage: int, frame: Frame, parts: Sequence[Source]
 ) -> Source | None:
-    """A component before an impact with a wall that is struck at right angles, as is given.
+    """A component before an impact with a wall that is struck at right angles, as given or shown.
 
     Along the wall it is zero, towards it the speed, by the ``parts`` of the velocity in its own
     frame. None where that is not given, or where a part has an unknown.
@@ -48,6 +48,11 @@ def _right_angle(scene: Scene, body: str, stage: int, frame: Frame) -> tuple[Ref
         tie = tie_of(equation.link)
         if tie is not None and tie[2] == "perpendicular to" and set(tie[:2]) == sides:
             return (*equation.refs, f"wall {frame.wall}", f"axis {frame.number}")
+    for end in scene.desk.ends:
+        if end.shown and scene.desk.holds(end.line):
+            tie = tie_of(end.answer.options[0][0])
+            if tie is not None and tie[2] == "perpendicular to" and set(tie[:2]) == sides:
+                return (end.line, f"wall {frame.wall}", f"axis {frame.number}")
     return None
 
 
@@ -71,7 +76,9 @@ def _written(
     refs = scene.judge.needed(move, given, relation)
     if refs is None:
         return False
-    zero = scene.desk.write(move, refs, relation)
+    # What was shown is recalled in the words before the next line.
+    shown: Showing = "silent" if any(isinstance(ref, int) for ref in refs) else "line"
+    zero = scene.desk.write(move, refs, relation, shown)
     scene.desk.know(beside, sp.Integer(0), (zero,))
     known = scene.desk.known(speed)
     if known is None:

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Relation as Formula
 from restitution.planning.angles.scalar_angles import write_product_of_two
 from restitution.planning.axes.by_changes import write_wall
+from restitution.planning.formulas.next_walls import angle_to_a_wall, standing_angle
 from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
@@ -179,6 +180,9 @@ def _tied(
     moving = [body_and_stage(scene, tree) for tree in pair if is_quantity(tree, "velocity")]
     if not moving:
         raise NotPlannedError("directions of no velocity")
+    by_angle = _by_the_angle(claims, record, pair, moving, own_relation)
+    if by_angle is not None:
+        return by_angle, own_relation
     frame = frame_after(scene, *max(moving, key=lambda own: own[1]))
     refs: list[Ref] = []
     for body, stage in moving:
@@ -206,6 +210,36 @@ def _tied(
         if line is not None:
             return line, own_relation
     raise NotPlannedError("two directions")
+
+
+def _by_the_angle(
+    claims: Claims,
+    record: str,
+    pair: Sequence[Expression],
+    moving: Sequence[Moving],
+    relation: Relation,
+) -> int | None:
+    """That a path is at right angles to the next wall, by the angle to the last one that stands."""
+    scene = claims.scene
+    walls = [side.arguments[0] if is_quantity(side, "direction") else side for side in pair]
+    names = [side.name for side in walls if isinstance(side, Name)]
+    if record != "perpendicular" or len(moving) != 1 or len(names) != 1:
+        return None
+    (own,), (wall,), mark = moving, names, claims.worths.mark()
+    frame = scene.model.frames.get(own[1])
+    if frame is None or frame.wall is None or wall not in scene.model.story.walls:
+        return None
+    velocity = Quantity("velocity", (Name(own[0]),), own[1])
+    if standing_angle(scene, Quantity("angle", (velocity, Name(frame.wall)))) is None:
+        return None
+    angle = angle_to_a_wall(scene, *own, wall)
+    line = None
+    if angle is not None and angle.value == sp.pi / 2:
+        move = Move("define", record, own[1], (own[0],))
+        line = claims.judge.write((move,), angle.refs, relation)
+    if line is None:
+        claims.worths.back(mark)
+    return line
 
 
 def _by_the_product(
