@@ -368,6 +368,18 @@ find energy_lost/energy(0)
 2 a | put | given 1, 1 | energy_lost(1)/energy(0) = 13/52 = 1/4 [rearrange]
 a: 2 energy_lost(1)/energy(0) = 1/4
 """,
+    "share-that-is-kept": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy_lost = 1/4 energy(0)
+find speed(P)
+---
+1 a | define energy-ratio 1 P | velocity P, given 1 | u^2 - speed(P, 1)^2 = 1/4 u^2
+2 a | rearrange | 1 | speed(P, 1)^2 = 3u^2/4
+3 a | rearrange | 2 | speed(P, 1) = sqrt(3) u/2
+a: 3 speed(P, 1) = sqrt(3) u/2
+""",
     # A time, and places, that the data tell.
     "places": """
 wall W: along j, through (8, 0)
@@ -702,6 +714,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("given-speed", "two-masses", 6, "DM1", "DM1", "DM1"),
     ("energy-lost-by-the-data", "lost-by-the-data", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("share-of-what-is-given", "share-that-is-given", 2, "M1 A1", "M1 A1", "M1 A1"),
+    ("share-by-the-data", "share-that-is-kept", 1, "M1", "M1", "M1"),
     ("angle-of-the-data", "read-off", 2, "", "", ""),
     ("right-angle-by-a-product", "read-off", 7, "A1", "A1", "A1"),
     ("repeated", "repeated", 7, "", "", ""),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import pytest
@@ -35,8 +36,10 @@ def worked(text: str) -> dict[str, str]:
     assert explanation.followed
     printed = to_text(explanation, 100)
     assert "not written out" not in printed
-    parts = printed.split("\n(")
-    return {part.lstrip("(")[0]: " ".join(part.split()) for part in parts}
+    _, *parts = re.split(r"^\((\w)\)$", printed, flags=re.MULTILINE)
+    return {
+        label: " ".join(part.split()) for label, part in zip(parts[::2], parts[1::2], strict=True)
+    }
 
 
 def test_the_tangent_of_a_direction_is_that_of_the_angle_with_the_line_of_centres() -> None:
@@ -104,3 +107,109 @@ def test_an_obtuse_angle_goes_by_the_sign_of_the_tangent_that_was_shown(delta: s
     assert "3 − tan²α > 0, as α is acute" in parts["c"]
     assert parts["c"].endswith("0° < α < 60°, as α is acute A1")
     assert "scalar product" not in parts["b"] + parts["c"]
+
+
+AT_A_WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+part a
+show energy_lost/energy(0) = 3/4 sin^2(alpha)
+"""
+
+
+@pytest.mark.parametrize("kept", ["energy_lost = 1/4", "energy(P) = 3/4", "energy = 3/4"])
+def test_what_is_left_tells_the_share_that_is_lost_and_the_speed(kept: str) -> None:
+    parts = worked(f"{AT_A_WALL}part b\ngiven {kept} energy(0)\nfind alpha, speed(P)\n")
+    assert "¾ sin²α = ¼" in parts["b"]
+    assert "cos α" not in parts["b"]
+    assert parts["b"].endswith("speed of P = √3 u/2 ≈ 0.866u A1")
+    bounded = kept.replace("=", "<=" if "lost" in kept else ">=")
+    parts = worked(f"{AT_A_WALL}part b\ngiven {bounded} energy(0)\nfind range of alpha\n")
+    assert "¾ sin²α ≤ ¼" in parts["b"]
+    assert "cos α" not in parts["b"]
+
+
+def test_what_is_left_of_two_spheres_tells_the_share_that_is_lost() -> None:
+    parts = worked(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/2\n"
+        "part a\nshow energy_lost/energy(0) = 3/8 cos^2(alpha)\n"
+        "part b\ngiven energy = 3/4 energy(0)\nfind alpha\n"
+        "part c\ngiven energy >= 7/8 energy(0)\nfind range of alpha\n"
+    )
+    lost = "kinetic energy lost = ¼ × total kinetic energy before the impact M1"
+    assert f"{lost} Substituting for the fraction lost: ⅜ cos²α = ¼" in parts["b"]
+    assert "⅜ cos²α ≤ ⅛" in parts["c"]
+
+
+def test_a_speed_by_a_share_of_the_energy_is_no_way_to_the_coefficient() -> None:
+    parts = worked(
+        "wall W: along 3i + 4j\nsphere P: mass 2, velocity 5i\nP hits W\n"
+        "part a\ngiven energy_lost = 1/5 energy(0)\nfind speed(P), e\n"
+    )
+    assert "5² − (speed of P)² = ⅕ × 5² M1 (speed of P)² = 20" in parts["a"]
+    assert "4² − (4e)² = ⅕ × 5² DM1 A1" in parts["a"]
+
+
+def test_a_given_speed_goes_by_the_square_that_was_shown() -> None:
+    parts = worked(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
+        "part a\nshow speed(P)^2 = u^2 (1 - 3/4 sin^2(alpha))\n"
+        "part b\ngiven speed(P) = 3/4 u\nfind sin(alpha)\n"
+        "part c\ngiven speed(P) < 2/3 u\nfind range of alpha\n"
+    )
+    assert "(¾u)² = u²(1 − ¾ sin²α) M1 9 = 16 − 12 sin²α" in parts["b"]
+    assert "u²(1 − ¾ sin²α) < 4u²/9" in parts["c"]
+
+
+def test_a_velocity_before_a_slanting_wall_comes_of_its_components_and_keeps_them() -> None:
+    parts = worked(
+        "wall W: along 3i - 4j\nsphere P: mass 1\nP hits W: e = 1/4\ngiven velocity(P) = 5i\n"
+        "part a\nfind velocity(P, 0)\npart b\nfind deflection(P), impulse\n"
+    )
+    assert "4 = −¼(𝐮_P · 𝐧) B1 𝐮_P · 𝐧 = −16 m s⁻¹" in parts["a"]
+    assert "a𝐢" not in parts["a"]
+    assert "tan β = 16/3" in parts["b"]
+    assert "𝐮_P · 𝐧 =" not in parts["b"]
+
+
+def test_a_component_that_vanishes_is_not_worked_out_from_a_coefficient() -> None:
+    parts = worked(
+        "sphere A: mass 2m, velocity u at 30°\nsphere B: mass m, velocity u at 150°\n"
+        "A hits B: along i\npart a\nfind speed(A)\n"
+        "part b\ngiven velocity(A) perpendicular to i\nfind e, impulse\n"
+    )
+    assert "√3(1 − 2e)u/6 = 0" in parts["b"]
+    assert "v = 0" not in parts["b"]
+    assert "2m(√3 u/2) = √3 mu" in parts["b"]
+
+
+CORNER = """
+wall AB: along i
+wall BC: along 120°
+sphere P: mass m, velocity u at 60° to AB
+part a
+P hits AB: e = 1/3
+find {}
+show velocity(P) perpendicular to direction(BC)
+part b
+P hits BC: e = 1/2
+find speed(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "shown"),
+    [
+        ("angle(velocity(P), AB)", "angle between 𝐯₁ and BC = 60° + 30° = 90° M1 So (ii)"),
+        ("velocity(P)", "+ √3(√3 u/6) = 0 M1 A1ft So (ii)"),
+    ],
+)
+def test_a_right_angle_that_was_shown_is_how_the_next_wall_is_struck(
+    asked: str, shown: str
+) -> None:
+    parts = worked(CORNER.format(asked))
+    assert f"{shown} 𝐯₁ is perpendicular to BC (as required) A1*" in parts["a"]
+    assert "P strikes BC at right angles, so its component before the impact" in parts["b"]
+    assert "60°" not in parts["b"] and "· 𝐭" not in parts["b"]

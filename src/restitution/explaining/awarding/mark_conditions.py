@@ -313,8 +313,13 @@ def _of_one_component(work: Work, line: Line) -> bool:
 
 
 def _of_a_product(work: Work, line: Line) -> bool:
-    """It rests on a scalar product of the same item, or on velocities that stand as vectors."""
+    """It rests on a scalar product of the same item, or on velocities that stand as vectors.
+
+    Or on an angle of that item, which is a right one.
+    """
     cited = tuple(work.cited(line))
+    if any(is_quantity(subject_of(e), "angle") and e.item == line.item for e in cited):
+        return True
     further = [own for line in cited if line.move.id == "put" for own in work.cited(line)]
     if any(own.move.record == "product" and own.item == line.item for own in (*cited, *further)):
         return True

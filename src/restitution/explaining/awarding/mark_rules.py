@@ -192,6 +192,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
     _rule("energy-lost-by-the-data", ("define",), "M A", ("energy-lost",), ("of-facts",)),
+    _rule("share-by-the-data", ("define",), "M", ("energy-ratio",), ("of-facts", "on-the-way")),
     _rule("data", ("define",), "", ENERGIES, ("of-facts", "on-the-way")),
     _rule("place-on-the-way", ("define",), "M V", ("straight-line",), ("goes-on",)),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),

@@ -300,6 +300,13 @@ def fraction_lost(step: Step, event: Event | None) -> Iterator[Link]:
             for change in changes:
                 for whole in early:
                     yield Link(Binary("/", lost, before), "=", Binary("/", change, whole))
+        # The energy of all is that of the one body.
+        energies = [
+            [Quantity("energy", own, at) for own in ((), (Name(body),))]
+            for at in (event.number, stage)
+        ]
+        for (after, before), pair in product(product(*energies), product(late, early)):
+            yield Link(Binary("/", after, before), "=", Binary("/", *pair))
 
 
 def _energies_apart(step: Step, event: Event | None) -> Iterator[Link]:

@@ -19,10 +19,11 @@ from restitution.planning.writing.scene import Scene
 _BY: tuple[MoveId, ...] = ("rearrange", "identity")
 
 
-def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Formula | None:
+def fraction_lost(scene: Scene, asked: Expression, given: Ref | None = None) -> Formula | None:
     """The fraction of the kinetic energy that is lost, as the change of v² over that before.
 
-    Where it ``is_given``, the square of the speed before may hold what is sought.
+    Where it is ``given``, the square of the speed before may hold what is sought, and a speed that
+    comes of the fact tells no more.
 
     The change is that of the speed, where the last one is a line, or of the component at one
     impact. None of another quotient, of several spheres, and where one of the energies is asked
@@ -51,6 +52,8 @@ def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Fo
     whole, size, refs = squares(scene, body, scene.last_event(body, stage), known=True)
     ends = _by_component(scene, body, event) if stage == event - 1 else None
     speed = known_speed(scene, body, event)
+    if speed is not None and given in scene.desk.under(*speed.refs):
+        speed = None
     if speed is not None and ends is not None and is_root_of_a_sum(speed.value):
         speed = None  # one component is shorter
     if speed is not None and not scene.unknown(speed.value) and (ends is None or ends[1].value):
@@ -64,13 +67,13 @@ def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Fo
     move = Move("define", "energy-ratio", event, (body,))
     right = Binary("/", swept(change), whole)
     fraction = tidy(expanded(value / size))
-    if angles_with_both_ratios((whole,)) and not is_given:
+    if angles_with_both_ratios((whole,)) and given is None:
         # By sin² + cos² = 1 it takes a line of its own; a quotient in the tangent does not.
         in_one = chain(asked, (right, None), (tree_of(fraction), "rearrange"))
         if not scene.judge.follows(move, together(refs, used), in_one):
             return None
     needed = scene.judge.needed(move, together(refs, used), chain(asked, (right, None)))
-    if needed is None or (scene.unknown(size) and not is_given):
+    if needed is None or (scene.unknown(size) and given is None):
         return None
     return Formula(move, itself, asked, right, fraction, needed)
 

@@ -29,12 +29,37 @@ from restitution.expression.tree import (
     has_quantity,
     quantities_in,
 )
+from restitution.planning.formulas.shares_left import as_a_loss
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product_without, tree_of
 
 
 def write_by_a_ratio(worths: Worths, fact: Fact, link: Link) -> int | None:
-    """The bound of a ratio that an item above has in letters; None without such an item."""
+    """The bound of a ratio that an item above has in letters; None without such an item.
+
+    What is given of the energy that is left is so of the share that is lost.
+    """
+    line = _by_a_ratio(worths, fact.id, link)
+    return _by_the_share_lost(worths, fact, link) if line is None else line
+
+
+def _by_the_share_lost(worths: Worths, fact: Fact, link: Link) -> int | None:
+    """The bound of what is lost, by that of what is left; None without a ratio of the one."""
+    for number in _ratios(worths):
+        mark = worths.mark()
+        turned = as_a_loss(worths.scene, link, worths.scene.desk.last_link(number).left)
+        if turned is not None:
+            own, defined = turned
+            pool = (fact.id, defined)
+            lost = worths.judge.write((Move("compare"),), pool, Relation(((own,),)))
+            line = None if lost is None else _by_a_ratio(worths, lost, own)
+            if line is not None:
+                return line
+        worths.back(mark)
+    return None
+
+
+def _by_a_ratio(worths: Worths, given: Ref, link: Link) -> int | None:
     left, right = (_multiple(worths, side) for side in (link.left, link.right))
     if left is None or right is None:
         return None
@@ -54,7 +79,7 @@ def write_by_a_ratio(worths: Worths, fact: Fact, link: Link) -> int | None:
         more = _positive(worths, below)
         if more is not None:
             compared = Relation(((Link(own.right, sign, bound),),))
-            pool: tuple[Ref, ...] = (fact.id, line, more)
+            pool: tuple[Ref, ...] = (given, line, more)
             written = worths.judge.write((Move("compare"),), pool, compared)
             if written is not None:
                 return written

@@ -44,7 +44,9 @@ def _other_energy(equation: GivenEquation) -> tuple[Quantity, Expression] | None
 def _of_a_loss(scene: Scene, equation: GivenEquation, lost: Quantity) -> int | None:
     """The loss of the only sphere as a multiple of its energy before: that of the squares."""
     pair = _other_energy(equation)
-    own = None if pair is None else fraction_lost(scene, Binary("/", lost, pair[0]), True)
+    own = (
+        None if pair is None else fraction_lost(scene, Binary("/", lost, pair[0]), equation.fact.id)
+    )
     if pair is None or own is None or not isinstance(own.right, Binary):
         return None
     whole = own.right.right

@@ -53,9 +53,10 @@ from restitution.planning.closing.squared_ratios import (
     write_by_squares,
 )
 from restitution.planning.formulas.definitions import Formula, write_formula
-from restitution.planning.formulas.energy_formulas import speed_by_given_energy, speed_by_its_energy
+from restitution.planning.formulas.energy_formulas import speed_by_its_energy
 from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.related_velocities import write_related
+from restitution.planning.formulas.shares_left import speed_by_a_fact
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.aimed_velocities import write_by_its_way
 from restitution.planning.routes.closed_before import write_from_above
@@ -127,10 +128,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
 def _at_once(scene: Scene, asked: Expression) -> int | None:
     """The line of a speed by a given energy, or of a given share, before anything is determined."""
-    by_energy = speed_by_given_energy(scene, asked) if is_quantity(asked, "speed") else None
-    if by_energy is not None or not isinstance(asked, Quantity):
-        return by_energy
-    return write_given_share(scene, asked)
+    if not isinstance(asked, Quantity):
+        return None
+    return speed_by_a_fact(scene, asked) or write_given_share(scene, asked)
 
 
 def _determine(scene: Scene, solver: Solver, asked: Expression, *, placed: bool) -> None:

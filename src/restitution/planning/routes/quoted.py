@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Meaning, Move, Relation, numbers_in
+from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation, numbers_in
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     quantities_in,
     walk,
 )
+from restitution.planning.formulas.shares_left import as_a_loss
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import product_without, square, tree_of
 from restitution.planning.writing.premises import background
@@ -60,17 +61,31 @@ def quoted_ratio(scene: Scene, equation: GivenEquation) -> int | None:
     for end in reversed(scene.desk.ends):
         if not scene.desk.holds(end.line) or len(scene.desk.relation(end.line).options) > 1:
             continue
-        own = scene.desk.last_link(end.line)
-        if own.sign != "=" or own.left != Binary("/", one, other) or has_quantity(own.right):
+        own, of_the_loss = scene.desk.last_link(end.line), None
+        if own.sign != "=" or has_quantity(own.right):
             continue
+        if own.left != Binary("/", one, other):
+            of_the_loss = as_a_loss(scene, equation.link, own.left)
+            if of_the_loss is None:
+                continue
         value, refs = scene.put(scene.scalar(own.right))
         if not scene.unknown(value) or has_root(value):
             continue
-        relation = chain(own.right if not refs else tree_of(value), (share, None))
-        pool = (equation.fact.id, end.line, *equation.lets, *refs)
-        written = scene.judge.write((Move("put"),), pool, relation)
-        if written is not None:
-            return written
+        mark, own_share = scene.desk.mark(), share
+        given: Ref | None = equation.fact.id
+        if of_the_loss is not None:
+            # What is left tells what is lost.
+            lost, defined = of_the_loss
+            pool = (equation.fact.id, defined, *equation.lets)
+            given = scene.judge.write((Move("put"),), pool, Relation(((lost,),)))
+            own_share = tree_of(1 - scene.scalar(share))
+        relation = chain(own.right if not refs else tree_of(value), (own_share, None))
+        if given is not None:
+            pool = (given, end.line, *equation.lets, *refs)
+            written = scene.judge.write((Move("put"),), pool, relation)
+            if written is not None:
+                return written
+        scene.desk.back(mark)
     return None
 
 
@@ -85,6 +100,9 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
     turned = isinstance(subject, Apply) and not isinstance(equation.link.left, Apply)
     if has_quantity(equation.link.right):
         return None
+    squared = _by_its_square(scene, equation, subject)
+    if squared is not None:
+        return squared
     known = _shown(scene, subject) or scene.desk.known(subject)
     if known is None and turned and isinstance(subject, Apply):
         return _by_its_tangent(scene, equation, subject.argument)
@@ -110,6 +128,22 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
         together(equation.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _by_its_square(scene: Scene, equation: GivenEquation, subject: Expression) -> int | None:
+    """A given speed, put into the line of its square; None of all else, and where its root is."""
+    known = scene.desk.known(square(subject)) if is_quantity(subject, "speed") else None
+    if known is None or scene.desk.known(subject) is not None or not scene.unknown(known.value):
+        return None
+    (line, *more) = known.refs
+    own = scene.desk.last_link(line) if isinstance(line, int) and not more else None
+    value, refs = scene.put(known.value)
+    if own is None or own.left != square(subject):
+        return None
+    right = own.right if not refs else tree_of(value)
+    relation = chain(square(equation.link.right), (right, None))
+    pool = (line, equation.fact.id, *equation.lets, *refs)
+    return scene.judge.write((Move("put"),), pool, relation)
 
 
 def _shown(scene: Scene, subject: Expression) -> Source | None:

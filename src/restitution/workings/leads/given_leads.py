@@ -359,7 +359,9 @@ class GivenLeads(Leads):
             (line.move.record, line.move.event) == ("unchanged", event.number) for line in above
         )
         match line.relation:
-            case Relation(((Link(Binary("-"), "="), *_),)) if not stays:
+            case Relation(((Link(Binary("-") as change, "="), *_),)) if not stays and not any(
+                is_quantity(node, "speed") for node in walk(change)
+            ):
                 walls = {wall.name: wall for wall in self._naming.problem.walls}
                 own = walls[event.bodies[-1]]
                 return None if isinstance(own.shape, Circle) else own.name
