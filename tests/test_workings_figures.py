@@ -217,6 +217,29 @@ def test_a_ratio_has_the_figures_that_stand_above_also_where_they_come_to_four()
     assert "fraction lost ≈ 0.1023mu²/(½mu²) ≈ 0.205" in text
 
 
+def test_ratios_of_15_degrees_are_those_of_a_calculator() -> None:
+    """A question that has roots itself, or speeds in letters, has the roots of 15° too."""
+    wall = "wall W: along i\nsphere P: mass 0.6, velocity {} at 60° to W\nP hits W\n"
+    asked = "given deflection(P) = 75°\n"
+    text = printed(wall.format("4") + asked + "find e, speed(P), impulse")
+    assert "tan 15° = 2√3 e/2 DM1 (i) e ≈ 0.155" in text
+    assert "magnitude of the impulse ≈ 0.6(0.5359 + 2√3) ≈ 2.4 N s" in text
+    assert "√6" not in text
+    for exact in (
+        wall.format("u") + asked + "find e",
+        wall.format("4") + asked + "show e = (2sqrt(3) - 3)/3",
+    ):
+        assert "(2√3 − 3)/3" in printed(exact)
+
+
+def test_a_difference_has_the_figures_that_stand_above_also_where_it_comes_to_four() -> None:
+    text = printed(
+        "wall L: along i\nwall R: along i\nsphere P: mass 0.1, velocity 3 at 65°\n"
+        "P hits R: e = 0.8\nP hits L: e = 0.8\nfind total_energy_lost"
+    )
+    assert "total kinetic energy lost ≈ 0.45 − 0.2318 ≈ 0.218 J" in text
+
+
 def test_the_power_of_a_number_does_not_run_into_a_letter() -> None:
     text = printed(
         "sphere A: mass m, velocity 8i\nsphere B: mass 2m, at rest\n"

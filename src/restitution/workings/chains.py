@@ -44,9 +44,9 @@ from restitution.workings.naming.figures import (
     Figures,
     degrees_of,
     has_plain_angles,
-    is_by_calculator,
     is_figures,
     is_sum_with_inverse,
+    is_with_calculator,
     of_plain_angles,
     plain_angles,
 )
@@ -120,13 +120,7 @@ class Chains:
         self._naming = naming
         self._measures = measures
         self._ends = ends
-        trees = (
-            tree
-            for line in derivation.lines
-            if isinstance(line.relation, Relation)
-            for tree in line.relation.trees
-        )
-        self._figures = Figures(is_by_calculator(trees), measures.decimals)
+        self._figures = Figures(is_with_calculator(derivation), measures.decimals)
         # Lines with figures in place of values: their first two sides, by the number.
         self._with_figures: dict[int, tuple[Expression, Expression]] = {}
         # The left sides of lines with figures in place of roots of sums of roots.
@@ -232,7 +226,10 @@ class Chains:
             for n in range(2, len(trees))
             if self._figures.with_calculator and angles[n - 1] and angles[n] - angles[n - 1]
         ]
-        signs = ["≈" if n in in_figures else sign_of(link) for n, link in enumerate(links, 1)]
+        signs = [
+            "≈" if in_figures & {n, n - 1} - {0} else sign_of(link)
+            for n, link in enumerate(links, 1)
+        ]
         signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
         return _Draft(line, links, trees, in_figures, sides, signs, idle, worked, joined)
 
@@ -369,6 +366,7 @@ class Chains:
             or of_plain_angles(last)
             or self._figures.has_sums_of_roots(last)
         )
+        plain = plain and not (calculated and self._figures.has_known(trees[1]))
         plain = plain or (not calculated and self._stays_exact(line, last))
         plain = plain or (calculated and self._leads_elsewhere(line, last))
         ratio = isinstance(links[0].left, Apply) and line.move.id != "define"
@@ -388,7 +386,9 @@ class Chains:
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
         if not plain and self._goes_on_in_figures(line):
-            trees[-1] = self._figures.outcome(trees[-1])
+            own = trees[-1] if letters(exact[-1]) else exact[-1]
+            outcome = self._figures.outcome(own)
+            trees[-1] = trees[-1] if outcome == own else outcome
             if trees[-1] != exact[-1]:
                 self._figures.stands_for(exact[-1], trees[-1])
         if calculated and line.move.record in _TANGENTS and isinstance(trees[-1], Rounded):

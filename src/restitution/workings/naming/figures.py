@@ -17,6 +17,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import significant
+from restitution.explaining.lines.derivation import Derivation, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     EXACT_ANGLE,
@@ -50,6 +51,8 @@ _FIGURES_OF_ANSWERS = 3
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 _INVERSES = frozenset({"arcsin", "arccos", "arctan"})
+# Degrees: of multiples of these a reader knows the ratios.
+_LEAST_STANDARD, _HALF_OF_A_RIGHT_ANGLE = 30, 45
 # Numbers from here on are none that somebody writes before a ratio.
 _LONG = 1000
 # A fraction of numbers below this is short.
@@ -77,6 +80,35 @@ def has_plain_angles(tree: Expression) -> bool:
 def is_by_calculator(trees: Iterable[Expression]) -> bool:
     """Whether a working has ratios of angles such as 37°, and is so one with a calculator."""
     return any(map(plain_angles, trees))
+
+
+def is_with_calculator(derivation: Derivation) -> bool:
+    """Whether a working is one with a calculator.
+
+    At 15° it is where velocities are numbers, unless the question itself has roots.
+    """
+    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
+    trees = [tree for relation in relations for tree in relation.trees]
+    if is_by_calculator(trees):
+        return True
+    data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
+    velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity "))
+    if any(letters(tree) for relation in velocities for tree in relation.trees):
+        return False
+    shown = [end.answer for end in derivation.items if end.shown]
+    asked = (tree for relation in (*data, *shown) for tree in relation.trees)
+    return _has_odd_multiples(trees) and not any(map(has_root, asked))
+
+
+def _has_odd_multiples(trees: Iterable[Expression]) -> bool:
+    """Whether a working has ratios of 15° or 75°: their roots are no longer to be read than 37°."""
+    return any(
+        isinstance(ratio.argument, Degrees)
+        and ratio.argument.value % _LEAST_STANDARD
+        and ratio.argument.value % _HALF_OF_A_RIGHT_ANGLE
+        for tree in trees
+        for ratio in _ratios_of_numbers(tree)
+    )
 
 
 def plain_angles(tree: Expression) -> set[Fraction]:
@@ -588,10 +620,12 @@ def _differ(exact: Expression, put: Expression) -> bool:
     if one is None or other is None or one == other:
         return False
     value = _scalar(put)
-    if not is_binary(put, "/") or value is None or value.free_symbols:
+    if not is_binary(put, "/", "-", "+") or value is None or value.free_symbols:
         return True
-    # A quotient that is a decimal with an end has its fourth figure still.
-    return figures_of(exact, _FIGURES_OF_ANSWERS) != figures_of(put, _FIGURES_OF_ANSWERS)
+    # What is a decimal with an end has its fourth figure still.
+    return is_measure_of_angle(put) or (
+        figures_of(exact, _FIGURES_OF_ANSWERS) != figures_of(put, _FIGURES_OF_ANSWERS)
+    )
 
 
 def figures_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
