@@ -33,3 +33,30 @@ def test_numbers_before_and_after_are_no_energies_where_a_share_is_asked() -> No
 def test_a_share_is_worked_out_behind_what_is_lost() -> None:
     assert verdicts(_SHARE, "19.2/54.5 lost = 0.352") == ["true"]
     assert verdicts(_SHARE, "19.2/54.5 lost = 0.452") == ["false"]
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (_LOSS, ["A: 29 J to 4.04 J, B: 25.5 J to 31.26 J", "net loss = 19.2"]),
+        (_LOSS, ["Ei = 54.5", "Ef = 35.3"]),
+        (_SHARE, ["lost 19.2", "as a fraction of 54.5: 0.352"]),
+        (f"{_SHARE} as a percentage", ["19.2/54.5 × 100 = 35.2"]),
+    ],
+)
+def test_energies_and_shares_by_other_labels(statement: str, lines: list[str]) -> None:
+    assert set(verdicts(statement, *lines)) == {"true"}
+
+
+def test_an_energy_in_joules_may_be_wrong() -> None:
+    assert verdicts(_LOSS, "A: 29 J to 5.04 J") == ["false"]
+    assert verdicts(f"{_SHARE} as a percentage", "19.2/54.5 × 100 = 36.2") == ["false"]
+
+
+def test_a_way_in_metres_is_no_component() -> None:
+    statement = (
+        "wall W: along i, through (0, 5)\nsphere P: at (0, 0), velocity 2i + 2j\n"
+        "P hits W: e = 1/2\nfind position(P, 1)"
+    )
+    lines = ["5 ÷ 2 = 2.5 s", "horizontal: 2 m/s × 2.5 s = 5 m", "(5, 5)"]
+    assert "false" not in verdicts(statement, *lines)

@@ -522,3 +522,35 @@ def test_a_coordinate_follows_from_his_own_time() -> None:
     lines = ["6 = 2(T - 2)", "T = 5", "x = 3 x 5 = 15, position (15, 6)"]
     marking = restitution.mark(solution, lines, "b", {"T": "time(2)"})
     assert [line["verdict"] for line in marking.json()["lines"]] == ["false", "follows", "follows"]
+
+
+DEFLECTED = """wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+given tan(deflection(P)) = 2
+find alpha"""
+TURNED = """sphere A: mass 3, velocity 4i - 2j
+sphere B: mass 1, velocity -4i + 3j
+A hits B: along i, e = 1/4
+part a
+find velocity(A), velocity(B)
+part b
+find deflection(B)"""
+
+
+def test_an_angle_that_is_asked_does_not_follow_from_its_cosine() -> None:
+    own = states(TURNED, "b", "cosθ = (14 + 9)/(5 x 4.61) = 0.998", "θ = 3.8")
+    assert own == ["M1 angle +", "A1ft angle -", "A1ft answer -"]
+
+
+def test_the_difference_of_angles_is_no_deflection_at_a_wall() -> None:
+    solution = restitution.solve(restitution.parse(DEFLECTED))
+    lines = ["tan b = t/3", "tan(α - b) = (t - t/3)/(1 + t²/3) = 2"]
+    letters = {"t": "tan(alpha)", "b": "angle(velocity(P), W)"}
+    found = restitution.mark(solution, lines, None, letters).json()["lines"][1]
+    assert found["mistake"]["id"] == "deflection-difference"
+
+
+def test_what_a_calculator_works_out_wrongly_is_seen_as_it_stands() -> None:
+    assert states(SLOWER, None, "0.7 x 10 sin35 = -3.00")[1] == "B1 restitution +"
+    assert states(SLOWER, None, "0.7 x 10 cos35 = 5.00")[1] == "B1 restitution -"

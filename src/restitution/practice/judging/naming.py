@@ -47,14 +47,16 @@ from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_jour
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
 from restitution.practice.judging.other_forms import is_turn, kind_of
+from restitution.practice.judging.plain_deflections import (
+    is_deflection_as_angle,
+    is_given_deflection,
+)
 from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
     is_coefficient,
-    is_deflection_as_angle,
     is_direct,
     is_energetic,
-    is_given_deflection,
     is_law_of_speeds,
     is_momentum_of_speeds,
     is_of_energy,

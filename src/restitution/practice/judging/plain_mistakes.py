@@ -34,8 +34,9 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Use
-from restitution.practice.judging.claimed import has_value, holds_in, is_given, meant_by
+from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.plain_deflections import is_given_difference
 from restitution.practice.judging.plain_energies import (
     is_energy_of_difference,
     is_fraction_of_line,
@@ -601,52 +602,6 @@ def is_sought_angle(entry: Entry, world: World) -> bool:
     return own and not letters(entry.claim.right)
 
 
-def is_deflection_as_angle(entry: Entry, world: World) -> bool:
-    """Whether the tangent of a deflection has the value of that of the angle after the impact.
-
-    Either angle is one to the line of centres: ``tan 30° = usinθ/v`` for a sphere turned by 30°.
-    """
-    left = entry.claim.left
-    if not is_function(left, "tan"):
-        return False
-    for number in world.lines:
-        line = Quantity("line_of_centres", (), number)
-        for name in world.start:
-            velocity = Quantity("velocity", (Name(name),), number)
-            after = Apply("tan", Quantity("angle", (velocity, line)))
-            turned = Quantity("deflection", (Name(name),), number)
-            try:
-                if (
-                    has_value(after, entry.claim.right, entry, world)
-                    and has_value(turned, left.argument, entry, world)
-                    and not has_value(after, left, entry, world)
-                ):
-                    return True
-            except RestitutionError:
-                continue
-    return False
-
-
-def is_given_deflection(entry: Entry, world: World) -> bool:
-    """Whether an angle after an impact has the value that the question gives for the deflection."""
-    left = entry.claim.left
-    inside = left.argument if is_function(left, "tan") else left
-    meant = entry.meanings.get(inside.name) if isinstance(inside, Letter) else inside
-    match meant:
-        case Quantity("angle", (Quantity("velocity", bodies, int(stage)), _)) if stage:
-            turned: Expression = Quantity("deflection", bodies, stage)
-        case _:
-            return False
-    given = is_given("deflection", world.problem)
-    own: Expression = meant
-    if inside is not left:
-        turned, own = Apply("tan", turned), Apply("tan", own)
-    value = entry.claim.right
-    return (
-        given and has_value(turned, value, entry, world) and not has_value(own, value, entry, world)
-    )
-
-
 def is_coefficient(entry: Entry) -> bool:
     """Whether a claim gives a coefficient of restitution a number: e = 3/4."""
     left = entry.claim.left
@@ -692,5 +647,6 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_impulse_of_other_mass, "masses-exchanged"),
     (is_impulse_of_unit_mass, "mass-omitted"),
     (_is_angle_of_other_wall, "second-wall-angle"),
+    (is_given_difference, "deflection-difference"),
     *SHOWN,
 )

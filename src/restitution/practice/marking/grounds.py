@@ -12,6 +12,7 @@ from restitution.practice.marking.lines import (
     fitting_uses,
     has_vector,
     is_plain,
+    is_slip,
     subtracts_squares,
 )
 from restitution.practice.marking.marks import PointMark
@@ -84,7 +85,10 @@ class Grounds:
             return all(map(has_name, wrong))  # that at another wall costs its own points
         unseen = [mark for mark in lost if mark.line is None and mark.point.letter == "A"]
         return any(
-            mark.point.letter in "AB" and not mark.point.equation for mark in [*by_these, *unseen]
+            mark.point.letter in "AB"
+            and not mark.point.equation
+            and not _is_ratio_of_angle(mark.point)
+            for mark in [*by_these, *unseen]
         )
 
     def _has_lost_law(self, line: JudgedLine) -> bool:
@@ -155,7 +159,7 @@ class Grounds:
         """Whether a false line has the angle at another wall, or one to a line for no reason."""
         if line.mistake is not None and line.mistake.id == "second-wall-angle":
             return True
-        return not has_name(line) and not _is_slip(line) and self.values.is_of_an_angle(line)
+        return not has_name(line) and not is_slip(line) and self.values.is_of_an_angle(line)
 
     def _is_at_old_wall(self, line: JudgedLine) -> bool:
         """Whether nothing but the angle at another wall is wrong in a line, or above it."""
@@ -319,14 +323,15 @@ class Grounds:
         return None if wrong is None else PointMark(point, "lost", wrong.line.number, why)
 
 
+def _is_ratio_of_angle(point: MarkPoint) -> bool:
+    """Whether a point is for the cosine or the tangent of which an angle that is asked is found."""
+    return point.letter == "A" and point.item is None and point.principle in OF_ANGLES
+
+
 def has_name(line: JudgedLine) -> bool:
     """Whether the mistake of a line is a misconception that has a name."""
     mistake = line.mistake
     return mistake is not None and mistake.kind == "misconception" and mistake.id is not None
-
-
-def _is_slip(line: JudgedLine) -> bool:
-    return line.mistake is not None and line.mistake.kind == "slip"
 
 
 def _names_of(line: JudgedLine) -> tuple[str, ...]:

@@ -117,6 +117,11 @@ def without_slip(line: JudgedLine) -> JudgedLine:
     return replace(line, line=typed, verdict="true", uses=uses, mistake=None, link=None)
 
 
+def is_slip(line: JudgedLine) -> bool:
+    """Whether the mistake of a line is a slip."""
+    return line.mistake is not None and line.mistake.kind == "slip"
+
+
 def before_mistake(line: JudgedLine) -> JudgedLine:
     """A line without the relation that fails, and those behind it, if others stand before it."""
     if not line.before or line.link is None or line.verdict != "false":
@@ -153,6 +158,7 @@ __all__ = [
     "fitting_uses",
     "has_vector",
     "is_plain",
+    "is_slip",
     "is_sound",
     "ratios_of_angles",
     "subtracts_squares",

@@ -31,7 +31,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.line_contents import LineContents, Match, place_in
-from restitution.practice.marking.lines import ratios_of_angles
+from restitution.practice.marking.lines import is_slip, ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
     are_close,
@@ -570,16 +570,19 @@ class Values(LineContents):
         A whole number is none, as too many are alike, but behind a word such as *perp*.
         """
         link = point.link
-        if link is None or point.shown or line.verdict not in ("remark", "true"):
+        slipped = line.verdict == "false" and is_slip(line) and bool(line.line.links)
+        if link is None or point.shown or not (line.verdict in ("remark", "true") or slipped):
             return False
         if not isinstance(link.left, Quantity) or self.is_direction(point):
             return False
+        # What is worked out wrongly is seen as it stands: 0.6 × 8 sin 40 = 3.58.
+        values = (line.line.links[0].readings[0].left,) if slipped else line.line.values
         across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
         return any(
             self._is_worth(value, link.left, line)
             or (is_fine(value) and self._is_rounded_to(value, link.left, line))
             or self._is_vector_part(value, point, line)
-            for value in line.line.values
+            for value in values
             if across or not (isinstance(value, Number) and value.value.denominator == 1)
         )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from restitution.expression.quantities import LOSSES
-from restitution.expression.tree import Quantity, is_binary, walk
+from restitution.expression.tree import Expression, Quantity, is_binary, letters, walk
 from restitution.problem import Find, Problem, trees_of_step
 
 _SO = r"(?:so|hence|therefore|thus|∴|→|⇒|=>)"
@@ -35,6 +35,24 @@ LOST = re.compile(
     r"^\s*(?:(?:so|hence|∴)\s+)?([^:,;]*\d[^:,;]*?|[½⅓⅔¼¾])\s*J?\s+(?:is\s+|are\s+)?lost\s*$",
     re.IGNORECASE,
 )
+FRACTION_OF = re.compile(
+    r"\b(fraction|proportion|percentage)\s+of\s+[^:=<>,;]*\d[^:=<>,;]*[:=]\s*(?=[\d(.√]|1/)",
+    re.IGNORECASE,
+)
+NET = re.compile(r"\bnet\s+(?=(?:los[st]|loss|gain|change|KE|energy|impulse)\b)", re.IGNORECASE)
+# A way of so many metres, and no component of a velocity: horizontal: 2 m/s × 2.5 s = 5 m.
+DISTANCE = re.compile(
+    r"(?:^|(?<=[,;]))\s*(?:so\s+)?(?:horizontal(?:ly)?|vertical(?:ly)?|along|across|up|down|sideways)"
+    r"\s*[:=]\s*(?=[^,;:]*\d\s*m\s*(?:$|[,;]))",
+    re.IGNORECASE,
+)
+_JOULES = r"\d[\d.]*)\s*(?:J|joules?)\b"
+ENERGY_OF_A_BODY = re.compile(
+    rf"(^\s*|[,;]\s*|\band\s+)([A-Z])\s*[:=]?\s*({_JOULES}"
+    rf"(?:\s*(?:to|==>|=>|->)\s*({_JOULES})?(?=\s*(?:$|[,;]|and\b))"
+)
+AT_THE_ENDS = re.compile(r"\bE_?([if])(?=\s*[=:])")
+HUNDREDTHS = re.compile(r"(\d\)?)\s*[*x×]\s*100\s*=\s*(\d[\d.]*)(?=\s*$)")
 SHARE_LOST_IS = re.compile(
     r"^\s*(?:so\s+)?(\(?\d[\d./]*\)?(?:\s*/\s*\(?\d[\d./]*\)?)?)\s+(?:is\s+)?lost\s*=\s*(?=[\d(.½⅓⅔¼¾])",
     re.IGNORECASE,
@@ -81,6 +99,39 @@ def lost(match: re.Match[str], problem: Problem) -> str:
     if any(shares) != all(shares):
         return match[0]
     return f"{'fraction' if all(shares) else 'KE'} lost = {match[1]}"
+
+
+def distance(match: re.Match[str], problem: Problem) -> str:
+    """Nothing in place of a label for a distance, where the question tells places."""
+    places = any(sphere.position is not None for sphere in problem.spheres)
+    masses = {
+        name for x in problem.spheres if isinstance(x.mass, Expression) for name in letters(x.mass)
+    }
+    return "" if places and "m" not in masses else match[0]
+
+
+def energy_of_a_body(match: re.Match[str], problem: Problem) -> str:
+    """The energy of the sphere that labels joules, before and after: ``A: 29 J to 4 J``."""
+    before, name, first, last = match.groups()
+    if name not in {sphere.name for sphere in problem.spheres}:
+        return match[0]
+    if last is None:
+        return f"{before}KE of {name} = {first}"
+    return f"{before}KE of {name} before = {first}, KE of {name} after = {last}"
+
+
+def at_the_ends(match: re.Match[str], problem: Problem) -> str:
+    """The energy before, or after, that ``Ei`` or ``Ef`` is."""
+    bodies = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
+    stage = {"i": "initial", "f": "final"}[match[1]]
+    return match[0] if "E" in bodies else f"{stage} KE"
+
+
+def hundredths(match: re.Match[str], problem: Problem) -> str:
+    """A percentage with its sign, where one is asked: ``3.4/20 × 100 = 17``."""
+    asked = (step for _, step in problem.steps() if isinstance(step, Find))
+    percentage = any(getattr(item, "percentage", False) for step in asked for item in step.items)
+    return f"{match[1]} = {match[2]}%" if percentage else match[0]
 
 
 def share_lost_is(match: re.Match[str], problem: Problem) -> str:
