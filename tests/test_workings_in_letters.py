@@ -214,6 +214,47 @@ find range of speed(A)
         ["0° < α ≤ 45°", "Substituting for e in (3)", "u/2 < speed of A ≤ √2 u/2"],
         ["not written out", "does not follow"],
     ),
+    "a bound is seen where the difference is a product": (
+        WALL
+        + """P hits W
+show impulse <= 2 m u sin(alpha)
+show m u sin(alpha) <= impulse
+""",
+        ["2mu sin α as α is acute and e ≤ 1", "as α is acute and e ≥ 0 (as required)"],
+        ["increases"],
+    ),
+    "a speed of one component is that with either sign, and no more": (
+        """
+sphere A: mass m, velocity 4u i + 3u j
+sphere B: mass k m, velocity -u i
+A hits B: along i
+given velocity(A) = -u i + 3u j, speed(B) = 3/2 u
+find k, e
+""",
+        ["w = ±3u/2 (1)", "w = 3u/2, as w = −3u/2 would give e = −1/10"],
+        ["2w"],
+    ),
+    "a product with what a quantity is stands before that with the quantity": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass 3m, at rest
+A hits B: along i
+show energy_lost = 1/2 (1 - e) u impulse
+""",
+        ["½(1 − e)u(3(1 + e)mu/4)", "= ½(1 − e)u × magnitude of the impulse (as required)"],
+        [],
+    ),
+    "two angles that make 90° are both acute": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at 180° - beta
+A hits B: along i, e = 1
+given velocity(A) perpendicular to velocity(B)
+show alpha + beta = 90°
+""",
+        ["α = 90° − β"],
+        ["does not follow"],
+    ),
 }
 
 

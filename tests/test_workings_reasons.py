@@ -497,7 +497,7 @@ show angle(velocity(P), W) <= alpha
             "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
             "A hits B: along i, e = 1\nshow velocity(B) in the direction of i"
         ),
-        ["So 𝐯_B is in the direction of 𝐢, since α is acute, as required."],
+        ["w = u cos α > 0, as α is acute", "So 𝐯_B is in the direction of 𝐢, as required."],
     ),
     "the other bound of the square of a coefficient holds as well": (
         (

@@ -683,7 +683,9 @@ def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = (
     move, known = Move("inverse"), range_of(scene, symbol.name)
     relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
     if known.startswith("acute"):
-        written = scene.desk.write(move, (line, known), relation)
+        others = background(scene, symbol_names(value)) if value.free_symbols else ()
+        refs = scene.judge.enough(move, (line, known), relation, others)
+        written = scene.desk.write(move, refs or (line, known), relation)
         return known_as(scene, symbol, value, written)
     for more in ((), *((side,) for side in sides)):
         if scene.judge.follows(move, (line, known, *more), relation):

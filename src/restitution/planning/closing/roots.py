@@ -120,8 +120,11 @@ def by_roots(
     move = Move("roots" if signed is None else "rearrange")
     number = number if signed is None else signed
     refs = scene.judge.enough(move, (number,), alternatives, known)
-    if refs is not None:
-        line: int | None = None
+    line: int | None
+    if signed is not None and _says_roots(scene, number, symbol, alternatives):
+        line = number
+    elif refs is not None:
+        line = None
         if signed is None:
             line = _by_the_formula(scene, number, polynomials, alternatives, known)
         line = line or _by_linear_factors(scene, number, polynomials, alternatives, known, move)
@@ -171,10 +174,29 @@ def _but_for_sign(
     )
     known = background(scene, symbol_names(residual(scene, number)))
     move = Move("rearrange") if _of_one_component(scene, number, symbol, roots) else _ROOTS
-    if scene.desk.line(number).relation == relation:
+    standing = scene.desk.relation(number)
+    if standing == relation or _is_solved(standing, symbol):
         return number
     refs = scene.judge.enough(move, (number,), relation, known)
     return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _says_roots(scene: Scene, number: int, symbol: sp.Symbol, alternatives: Relation) -> bool:
+    """Whether a line says already what an unknown is; it then has the roots as they are used."""
+    own = scene.desk.line(number)
+    if not _is_solved(scene.desk.relation(number), symbol):
+        return False
+    if not scene.judge.follows(own.move, own.premises, alternatives):
+        return False
+    scene.desk.lines[number - 1] = replace(own, relation=alternatives)
+    return True
+
+
+def _is_solved(relation: Relation, symbol: sp.Symbol) -> bool:
+    """Whether alternatives say already what an unknown is."""
+    own = Letter(symbol.name)
+    links = [links for links in relation.options if len(links) == 1]
+    return len(links) == len(relation.options) > 1 and all(link.left == own for (link,) in links)
 
 
 def _of_one_component(

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
@@ -101,6 +101,7 @@ class Claims(Eliminated):
                 line = self._by_an_even_power(number, relation)
                 line = line or self._by_difference_of_squares(number, relation)
                 line = line or self._by_its_sign(number, relation)
+                line = line or self._by_factors_at_sight(number, relation)
                 line = self.monotone(number, relation) if line is None else line
                 if line is not None:
                     return line
@@ -194,6 +195,40 @@ class Claims(Eliminated):
         if not has_root(self.worths.value(self.scene.desk.last_link(line).right)):
             return None
         return write_difference(self, line, relation)
+
+    def _by_factors_at_sight(self, line: int, relation: Relation) -> int | None:
+        """A bound from which a value differs by a product of factors with signs that are seen.
+
+        (1 + e)mu is at most 2mu as e is at most 1; of a root the squares differ so.
+        """
+        own = self.scene.desk.last_link(line)
+        match relation.options:
+            case ((Link(left, "<=" | ">=", right),),) if own.left in (left, right):
+                bound_ = right if own.left == left else left
+            case _:
+                return None
+        if own.sign != "=" or has_quantity(own.right) or has_quantity(bound_):
+            return None
+        value, bound = (self.worths.value(e) for e in (own.right, bound_))
+        power = 2 if has_root(value) else 1
+        gap = expanded(value**power - bound**power)
+        # Under a root what sin² + cos² = 1 takes away would have to be seen before.
+        for angle in {f.args[0] for f in gap.atoms(sp.cos)} if power == 1 else ():
+            gap = in_one_ratio(gap, sp.sin(angle), sp.cos(angle))
+        gap = sp.factor(gap)
+        known = self.judge.known(letters(own.right) | letters(right))
+        if gap == 0 or not all(map(self._is_seen, sp.Mul.make_args(gap))):
+            return None
+        return self.judge.write((Move("sign"),), (line, *known), relation)
+
+    def _is_seen(self, factor: sp.Expr) -> bool:
+        """Whether the sign of a factor is seen: a letter, a ratio of one, or 1 ± e."""
+        base, _ = factor.as_base_exp()
+        if base.is_number or base.is_Symbol or isinstance(base, (sp.sin, sp.cos, sp.tan)):
+            return True
+        names = [symbol.name for symbol in base.free_symbols]
+        coefficient = len(names) == 1 and bool(self.coefficients(names))
+        return coefficient and base.is_Add and base.is_polynomial() and sp.degree(base) == 1
 
     def _by_its_sign(self, line: int, relation: Relation) -> int | None:
         """The sign of a value that stands, which the ranges of its letters tell at sight."""

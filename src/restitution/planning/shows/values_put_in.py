@@ -39,8 +39,10 @@ def with_values(
     own = desk.line(last)
     if last != len(desk.lines) or own.relation != Relation(((link,),)):
         return last
-    if link.sign != "=" or has_quantity(worths.opened(link.right)):
+    if link.sign != "=":
         return last
+    if has_quantity(worths.opened(link.right)):
+        return _with_the_other(worths, link, quantities, lines, last)
     values = _values(worths, quantities, lines)
     put = swept(exchanged(worths.opened(link.left), values))
     if len(values) < 2 or has_quantity(put) or isinstance(put, Letter | Number):
@@ -58,6 +60,29 @@ def with_values(
                 desk.lines.pop()
                 return desk.write(step, refs, relation)
     return last
+
+
+def _with_the_other(
+    worths: Worths, link: Link, quantities: Sequence[Quantity], lines: Sequence[int], last: int
+) -> int:
+    """The line of one quantity as a multiple of another, which stands there by its value first."""
+    desk, judge = worths.scene.desk, worths.judge
+    own = desk.line(last)
+    values = _values(worths, quantities, lines)
+    put = exchanged(worths.opened(link.right), values)
+    known = judge.known(letters(put))
+    if link.left not in quantities or has_quantity(put) or len(lines) != len(quantities):
+        return last
+    start = lines[quantities.index(link.left)]
+    desk.lines.pop()
+    first = judge.write((Move("rearrange"),), (start, *known), chain(link.left, (put, None)))
+    pool = (first or start, *(line for line in lines if line != start))
+    written = first and judge.write((Move("put"),), pool, Relation(((link,),)))
+    if first and written:
+        return written
+    if first:
+        desk.take_last()
+    return desk.write(own.move, own.premises, Relation(((link,),)))
 
 
 def _values(
