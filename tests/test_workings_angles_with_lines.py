@@ -71,6 +71,25 @@ SAYS = {
             "does not change: the component stays 4.512 m s⁻¹.",
         ),
     ),
+    "the angle at the next wall that is asked": (
+        (
+            "wall AB: along i\nwall BC: along 80°\nsphere P: velocity 8 at 38° to AB\n"
+            "P hits AB: e = 0.7\nfind speed(P), angle(velocity(P), BC)\n"
+            "P hits BC: e = 0.7\nfind speed(P)"
+        ),
+        (
+            "tan β = (5.6 sin 38°)/(8 cos 38°) = 0.7 tan 38°",
+            "angle between 𝐯₁ and BC ≈ 80° − 28.67°",
+            "component of 𝐯₁ towards BC ≈ 7.185 sin 51.33° ≈ 5.610 m s⁻¹",
+        ),
+    ),
+    "the angle at the next wall by a standard angle": (
+        (
+            "wall AB: along i\nwall BC: along 60°\nsphere P: velocity u at 60° to AB\n"
+            "P hits AB: e = 1/3\nfind angle(velocity(P), BC)"
+        ),
+        ("tan β = (√3 u/6)/(u/2) = √3/3", "angle between 𝐯_P and BC = 60° − 30° = 30°"),
+    ),
     "two paths with a line of centres": (
         (
             "sphere A: mass 1, velocity 6i\nsphere B: mass 2, velocity 4 at 180° - 48°\n"

@@ -69,7 +69,10 @@ from restitution.planning.angles.vectors_between import (
     vectors_in_numbers,
 )
 from restitution.planning.angles.wall_turns import tangent_at_a_wall
-from restitution.planning.angles.walls_at_right_angles import complement_to_a_wall
+from restitution.planning.angles.walls_at_right_angles import (
+    by_the_wall_before,
+    complement_to_a_wall,
+)
 from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import (
@@ -166,6 +169,7 @@ def _by_walls(scene: Scene, asked: Quantity) -> int | None:
         case Quantity("angle", (Quantity("velocity", (Name(body),), int(stage)), Name(wall))):
             own = angle_to_a_wall(scene, body, stage, wall)
             own = own or complement_to_a_wall(scene, body, stage, wall)
+            own = own or by_the_wall_before(scene, body, stage, wall, angle_line)
             lines = () if own is None else (ref for ref in own.refs if isinstance(ref, int))
             line = next(iter(lines), None)
             return None if line is None else _by_a_given_ratio(scene, asked, line)

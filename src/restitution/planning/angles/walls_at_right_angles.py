@@ -1,6 +1,8 @@
-"""The angle of a path to a wall by that to the last one, at right angles to it."""
+"""The angle of a path to a wall by that to the last one: at right angles to it, or any other."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import sympy as sp
 
@@ -17,9 +19,9 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import letter_known
-from restitution.planning.formulas.next_walls import standing_angle, turn_of_wall
+from restitution.planning.formulas.next_walls import angle_to_a_wall, standing_angle, turn_of_wall
 from restitution.planning.writing.circles import circle_of
-from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import Scene
 
@@ -66,4 +68,31 @@ def complement_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Sour
     return scene.desk.know(asked, value, (line,))
 
 
-__all__ = ["complement_to_a_wall"]
+def by_the_wall_before(
+    scene: Scene,
+    body: str,
+    stage: int,
+    wall: str,
+    angle_line: Callable[[Scene, Quantity], int],
+) -> Source | None:
+    """The angle to the next wall by that to the wall before, which is worked out first."""
+    frame = scene.model.frames.get(stage)
+    walls = [None if frame is None else frame.wall, wall]
+    turns = [turn_of_wall(scene, name) for name in walls if name is not None]
+    if frame is None or frame.wall == wall or len(turns) < 2:
+        return None
+    if frame.axis is None or not all(isinstance(turn, Degrees) for turn in turns):
+        return None
+    mark = scene.desk.mark()
+    velocity = Quantity("velocity", (Name(body),), stage)
+    try:
+        angle_line(scene, Quantity("angle", (velocity, Name(frame.wall or ""))))
+        own = angle_to_a_wall(scene, body, stage, wall)
+    except NotPlannedError:
+        own = None
+    if own is None:
+        scene.desk.back(mark)
+    return own
+
+
+__all__ = ["by_the_wall_before", "complement_to_a_wall"]
