@@ -141,12 +141,27 @@ def named_angles(
             case _:
                 continue
         event = setting.event(number)
-        if event is None or event.bodies[0] != body:
+        if event is None or body not in event.bodies:
             continue
         for link in links:
             own = offset_angle(link, setting.roles) if link.left == axis else None
-            if own is not None:
+            if own is not None and (
+                event.bodies[0] == body or _goes_along(body, own.path, links, setting.roles)
+            ):
                 yield meaning, own
+
+
+def _goes_along(
+    body: str, path: Expression, links: Sequence[Link], roles: Mapping[str, Role]
+) -> bool:
+    """Whether the other sphere moves along the path of the first, in either sense, as is cited."""
+    world = World(roles)
+    for link in links:
+        if link.left == Quantity("velocity", (Name(body),), 0) and link.sign == "=":
+            own, other = world.direction(link.right), world.direction(path)
+            if own is not None and other is not None:
+                return world.reduced(own.x * other.y - own.y * other.x).vanishes
+    return False
 
 
 def letter_of_offset(line: Line) -> str | None:

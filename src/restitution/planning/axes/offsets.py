@@ -185,7 +185,9 @@ def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
     That is so where the offset gives it in degrees. None of any other angle.
     """
     match asked:
-        case Quantity("angle", (Quantity("velocity", _, 0), Quantity(_, (), int(number)))):
+        case Quantity(
+            "angle", (Quantity("velocity", (Name(body),), 0), Quantity(_, (), int(number)))
+        ):
             fact = scene.facts.get(f"axis {number}")
         case _:
             return None
@@ -197,12 +199,14 @@ def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
     assert fact is not None
     letter = free_letter(scene, "angle")
     let = scene.desk.write(Move("let"), (), Meaning(letter, asked, angle="acute"), "silent")
-    ratio = scene.desk.write(
-        Move("define", "scalar-angle", number),
-        (let, fact.id),
+    ratio = scene.judge.write(
+        (Move("define", "scalar-angle", number),),
+        (let, fact.id, f"velocity {body}"),
         equality(Apply("sin", Letter(letter)), tree_of(tidy(sine))),
-        "silent",
+        shown="silent",
     )
+    if ratio is None:
+        return None
     value = tree_of(sp.asin(tidy(sine)), angle=True)
     relation = equality(Letter(letter), value)
     return scene.desk.write(Move("inverse"), (ratio, f"acute: {letter}"), relation, "silent")
