@@ -213,3 +213,29 @@ def test_a_right_angle_that_was_shown_is_how_the_next_wall_is_struck(
     assert f"{shown} 𝐯₁ is perpendicular to BC (as required) A1*" in parts["a"]
     assert "P strikes BC at right angles, so its component before the impact" in parts["b"]
     assert "60°" not in parts["b"] and "· 𝐭" not in parts["b"]
+
+
+def test_values_go_into_the_square_and_the_energy_that_were_shown() -> None:
+    parts = worked(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+        "part a\nshow speed(A)^2 = 1/4 u^2 ((1 - e)^2 cos^2(alpha) + 4sin^2(alpha))\n"
+        "part b\ngiven e = 1/2, speed(A) = 1/2 u\nfind tan(alpha)\n"
+    )
+    assert "(½u)² = ¼u²((1 − ½)² cos²α + 4 sin²α) M1" in parts["b"]
+    assert "v =" not in parts["b"]
+    parts = worked(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+        "part a\nshow energy(P) = 1/2 m u^2 (cos^2(alpha) + e^2 sin^2(alpha))\n"
+        "part b\ngiven alpha = 60°, energy(P) = 1/3 energy(P, 0)\nfind e\n"
+    )
+    assert "mu²(1 + 3e²)/8 = ⅓ × ½mu² M1" in parts["b"]
+    assert "component" not in parts["b"]
+
+
+def test_the_other_sphere_makes_the_angle_of_the_offset_with_the_line_of_centres_too() -> None:
+    parts = worked(
+        "sphere A: mass 2m, velocity 3u i, radius r\nsphere B: mass m, velocity -3u i, radius r\n"
+        "A hits B: offset sqrt(3)r, e = 2/3\n"
+        "part a\nfind angle(line_of_centres, i)\npart b\nfind deflection(B)\n"
+    )
+    assert "δ = 180° − 60° − φ" in parts["b"]

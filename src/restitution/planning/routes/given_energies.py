@@ -15,6 +15,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.fractions_lost import fraction_lost
 from restitution.planning.formulas.velocity_formulas import squares
+from restitution.planning.routes.quoted import as_shown
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import ONE, product, product_without, swept, tree_of
 from restitution.planning.writing.polynomials import factored
@@ -73,6 +74,8 @@ def _of_a_loss(scene: Scene, equation: GivenEquation, lost: Quantity) -> int | N
 def _of_two_energies(scene: Scene, equation: GivenEquation, left: Quantity) -> int | None:
     """The energy of a body as a multiple of what it was: the ratio is that of speeds squared."""
     pair = _other_energy(equation)
+    if as_shown(scene, left) is not None:
+        return None  # it is quoted
     if pair is None or len(left.arguments) != 1 or pair[0].arguments != left.arguments:
         return None
     (other, factor), (name,) = pair, left.arguments

@@ -103,7 +103,7 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
     squared = _by_its_square(scene, equation, subject)
     if squared is not None:
         return squared
-    known = _shown(scene, subject) or scene.desk.known(subject)
+    known = as_shown(scene, subject) or scene.desk.known(subject)
     if known is None and turned and isinstance(subject, Apply):
         return _by_its_tangent(scene, equation, subject.argument)
     if known is None or not scene.unknown(known.value):
@@ -140,13 +140,27 @@ def _by_its_square(scene: Scene, equation: GivenEquation, subject: Expression) -
     value, refs = scene.put(known.value)
     if own is None or own.left != square(subject):
         return None
-    right = own.right if not refs else tree_of(value)
-    relation = chain(square(equation.link.right), (right, None))
     pool = (line, equation.fact.id, *equation.lets, *refs)
-    return scene.judge.write((Move("put"),), pool, relation)
+    for right in (tree_of(value), _with_letters_put(scene, own.right)) if refs else (own.right,):
+        relation = chain(square(equation.link.right), (right, None))
+        written = scene.judge.write((Move("put"),), pool, relation)
+        if written is not None:
+            return written
+    return None
 
 
-def _shown(scene: Scene, subject: Expression) -> Source | None:
+def _with_letters_put(scene: Scene, tree: Expression) -> Expression:
+    """An expression with the values of its letters, which is not worked out."""
+    values: dict[Expression, Expression] = {}
+    for name in letters(tree):
+        own = Letter(name)
+        value, refs = scene.put(scene.scalar(own))
+        if refs:
+            values[own] = tree_of(value, angle=True)
+    return exchanged(tree, values)
+
+
+def as_shown(scene: Scene, subject: Expression) -> Source | None:
     """A value as it was to be shown, where it is known in that form: what is printed is quoted."""
     known = scene.desk.known(subject)
     for end in scene.desk.ends if known is not None else ():
