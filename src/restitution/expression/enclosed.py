@@ -249,6 +249,12 @@ class Enclosed:
         return Fraction(*to_rational(self._middle))
 
     @property
+    def between(self) -> tuple[Fraction, Fraction]:
+        """The two ends, exactly."""
+        low, high = (Fraction(*to_rational(end)) for end in self.ends)
+        return low, high
+
+    @property
     def _middle(self) -> Any:
         low, high = self.ends
         return low if low == high else mpi_mid(self.ends, _PRECISION)

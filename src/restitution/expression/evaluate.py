@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.errors import StatementError
+from restitution.errors import RestitutionError, StatementError
 from restitution.exact.degrees import cosine, sine, turns_of
 from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import PI, Enclosed
@@ -452,6 +452,18 @@ def evaluate(tree: Expression, symbol: Callable[[str], sp.Expr]) -> Any:
     """
     value = Evaluator(Symbolic(), symbol).value(tree)
     return value.measure() if isinstance(value, Angle) else value
+
+
+def enclosed(tree: Expression) -> Enclosed | None:
+    """A number between two ends; None of a vector, of letters, and of what has no value."""
+    letters_: dict[str, Scalar] = {}
+    try:
+        value = Evaluator(Numeric(), letters_.__getitem__).value(tree)
+    except (KeyError, ArithmeticError, RestitutionError):
+        return None
+    if isinstance(value, Vector):
+        return None
+    return Enclosed.of(value.measure() if isinstance(value, Angle) else value)
 
 
 def in_letters(tree: Expression, *, positive: bool = False) -> Any:

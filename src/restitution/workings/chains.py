@@ -391,6 +391,8 @@ class Chains:
             trees[-1] = trees[-1] if outcome == own else outcome
             if trees[-1] != exact[-1]:
                 self._figures.stands_for(exact[-1], trees[-1])
+        if calculated and is_vector(trees[0]) and self._ends.of(line) is not None:
+            self._figures.note_components(exact[-1])
         if calculated and line.move.record in _TANGENTS and isinstance(trees[-1], Rounded):
             trees[-1] = self._figures.tangent(exact[-1]) or trees[-1]
         put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])

@@ -17,8 +17,9 @@ from restitution.explaining.moves.inequalities import (
     same_option,
 )
 from restitution.explaining.steps.step import Step
-from restitution.expression.tree import Expression, is_binary
-from restitution.oracle import Oracle
+from restitution.expression.evaluate import enclosed
+from restitution.expression.tree import Apply, Degrees, Expression, Negate, Number, is_binary, walk
+from restitution.oracle import Formula, Oracle
 from restitution.oracle import Relation as Claim
 
 
@@ -189,8 +190,13 @@ def is_rejection(step: Step, relation: Relation) -> bool:
             if not any(is_contradicted(rest, option, link) for link in moving):
                 return False
             continue
-        dropped = rest.formula(Relation((option,)))
-        oracle = Oracle(rest.roles, (*known, dropped))
+        # Of a number that only a calculator knows its digits are enough, as a rule.
+        near = _between_ends(option)
+        if near is not None:
+            if not _excludes(rest, known, near):
+                return False
+            continue
+        oracle = Oracle(rest.roles, (*known, rest.formula(Relation((option,)))))
         if oracle.possible.answer == "refuted":
             continue
         # Where two roots are one, what is dropped says what remains.
@@ -201,5 +207,36 @@ def is_rejection(step: Step, relation: Relation) -> bool:
 
 def _is_impossible(rest: Step, relation: Relation) -> bool:
     """Whether what drops some options excludes all that are kept as well: it is no reason then."""
-    oracle = Oracle(rest.roles, (*rest.facts, rest.formula(relation)))
+    options = tuple(_between_ends(option) or option for option in relation.options)
+    oracle = Oracle(rest.roles, (*rest.facts, rest.formula(Relation(options))))
     return oracle.possible.answer == "refuted"
+
+
+def _excludes(rest: Step, known: Sequence[Formula], option: tuple[Link, ...]) -> bool:
+    """Whether what is known excludes an option."""
+    oracle = Oracle(rest.roles, (*known, rest.formula(Relation((option,)))))
+    return oracle.possible.answer == "refuted"
+
+
+def _between_ends(option: tuple[Link, ...]) -> tuple[Link, ...] | None:
+    """That a value is between two fractions, for one of ratios of angles such as 35°.
+
+    It says less than the value itself. None of any other option.
+    """
+    match option:
+        case (Link(left, "=", right),) if _has_ratios(right):
+            number = enclosed(right)
+            if number is None or not number.sign:
+                return None
+            low, high = (
+                Number(end) if end >= 0 else Negate(Number(-end)) for end in number.between
+            )
+            return Link(low, "<=", left), Link(left, "<=", high)
+    return None
+
+
+def _has_ratios(tree: Expression) -> bool:
+    """Whether ratios of angles in degrees stand in a number."""
+    return any(
+        isinstance(node, Apply) and isinstance(node.argument, Degrees) for node in walk(tree)
+    )

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.exact.degrees import function_of
+from restitution.exact.degrees import function_of, with_ratio
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, root
 from restitution.oracle import Oracle, Relation, Some
@@ -117,7 +117,16 @@ def tidy(x: sp.Expr) -> sp.Expr:
     if not x.has(sp.sin, sp.cos, sp.tan):
         return unnested(exact.tidy(x))
     masked, angles = _angles_as_letters(x)
-    return exact.tidy(neat(masked)).xreplace(angles) if angles else exact.tidy(x)
+    return _with_angles(exact.tidy(neat(masked)), angles) if angles else exact.tidy(x)
+
+
+def _with_angles(x: sp.Expr, angles: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Letters of angles replaced by these, whose ratios stay: SymPy has roots for some of them."""
+    ratios = {
+        ratio: with_ratio(function_of(ratio), ratio.args[0].xreplace(angles))
+        for ratio in x.atoms(sp.sin, sp.cos, sp.tan)
+    }
+    return x.xreplace(ratios).xreplace(angles)
 
 
 def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.exact import denested, reduced_over_surds
+from restitution.exact.degrees import tangent, with_ratio
 from restitution.expression.enclosed import Enclosed
 from restitution.solving.algebra.cosines import gathered, has_cosines, without_cosines
 from restitution.solving.algebra.neat import neat
@@ -78,13 +79,13 @@ def _in_degrees(equation: sp.Expr, x: sp.Symbol, values: list[sp.Expr]) -> list[
     in_degrees = list(values)
     for number in numbers:
         angle = sp.Rational(round(2 * math.degrees(math.atan(number))), 360) * sp.pi
-        c, s = sp.cos(angle), sp.sin(angle)
+        c, s = (with_ratio(function, angle) for function in (sp.cos, sp.sin))
         powers = [c**n * s ** (len(parts) - 1 - n) for n in range(len(parts))]
         total = sp.Add(*[part * power for part, power in zip(parts, powers, strict=True)])
         if gathered(sp.expand(total)) == 0:
             # It is a root: that which is nearest to it.
             gaps = [abs(other - math.tan(float(angle))) for other in numbers]
-            in_degrees[gaps.index(min(gaps))] = sp.tan(angle)
+            in_degrees[gaps.index(min(gaps))] = tangent(angle)
     return in_degrees
 
 
@@ -208,7 +209,7 @@ def _by_half_an_angle(a: sp.Expr, c: sp.Expr) -> sp.Expr | None:
     if not isinstance(ratio, sp.cos) or not c.is_polynomial(ratio) or sp.degree(a, ratio) != 1:
         return None
     half = ratio.args[0] / 2
-    for sign_, root in ((-1, sp.sin(half)), (1, sp.cos(half))):
+    for sign_, root in ((-1, with_ratio(sp.sin, half)), (1, with_ratio(sp.cos, half))):
         whole = sp.expand(a.subs(ratio, sign_ * (2 * root**2 - 1)))
         if whole.coeff(root, 0) == 0:
             rest = sp.expand(-c.subs(ratio, sign_ * (2 * root**2 - 1)))

@@ -422,11 +422,15 @@ class Figures:
 
     def vector(self, tree: Expression) -> Expression:
         """A vector of which each long component has its figures alone; they are known from then."""
+        self.note_components(tree)
+        return self.put(tree)
+
+    def note_components(self, tree: Expression) -> None:
+        """Notes that the figures of the components of a vector stand on paper now."""
         for node in walk(tree):
             match node:
                 case Binary("*", size, Unit()):
                     self.note(size)
-        return self.put(tree)
 
 
 def is_sum_with_inverse(tree: Expression) -> bool:
