@@ -90,6 +90,24 @@ SAYS = {
         ),
         ("tan β = (√3 u/6)/(u/2) = √3/3", "angle between 𝐯_P and BC = 60° − 30° = 30°"),
     ),
+    "a wall that is sought, at right angles to a path": (
+        (
+            "wall AB: along i\nwall BC: along 180° - theta\nsphere P: velocity 4 at 60° to AB\n"
+            "P hits AB: e = 1/sqrt(3)\ngiven velocity(P) perpendicular to BC\nfind theta"
+        ),
+        (
+            "BC is parallel to −cos θ 𝐢 + sin θ 𝐣, so the scalar product is zero:",
+            "−2 cos θ + 2 sin θ = 0",
+            "tan θ = 1",
+        ),
+    ),
+    "a wall that is sought, parallel to a path": (
+        (
+            "wall AB: along i\nwall BC: along theta\nsphere P: velocity 4 at 60° to AB\n"
+            "P hits AB: e = 1/sqrt(3)\ngiven velocity(P) parallel to BC\nfind theta"
+        ),
+        ("so their components are in proportion: 2 cos θ = 2 sin θ", "tan θ = 1"),
+    ),
     "two paths with a line of centres": (
         (
             "sphere A: mass 1, velocity 6i\nsphere B: mass 2, velocity 4 at 180° - 48°\n"

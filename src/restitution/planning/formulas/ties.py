@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
     walk,
 )
 from restitution.planning.formulas.components_of_data import is_polar
@@ -303,6 +304,13 @@ def _common_surd(shares: list[sp.Expr]) -> sp.Expr:
     return tidy(sp.Abs(shares[0]) * sp.gcd_list([tidy(part) for part in parts]))
 
 
+def _is_an_open_wall(scene: Scene, tree: Expression) -> bool:
+    """Whether a direction is that of a wall by the one angle that is sought."""
+    fact = scene.facts.get(f"wall {tree.name}") if isinstance(tree, Name) else None
+    right = None if fact is None else fact.relation.only[0].right
+    return right is not None and len(letters(right)) == 1
+
+
 def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:
     """A direction in the plane as a vector, of whole numbers where that is so, and its facts."""
     refs = tuple(
@@ -314,7 +322,9 @@ def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]
         return Vector(*(sp.Integer(tree.axis == axis) for axis in "ij")), refs
     own, more = scene.put(scene.model.story.direction(tree, scene.events))
     if any(scene.unknown(value) for value in own):
-        raise NotPlannedError("a tie to a direction that is open")
+        if not _is_an_open_wall(scene, tree):
+            raise NotPlannedError("a tie to a direction that is open")
+        return Vector(*map(tidy, own)), together(refs, more)
     whole, _ = whole_direction(own)
     return Vector(*(tidy(component) for component in whole)), together(refs, more)
 
