@@ -60,3 +60,10 @@ def test_a_way_in_metres_is_no_component() -> None:
     )
     lines = ["5 ÷ 2 = 2.5 s", "horizontal: 2 m/s × 2.5 s = 5 m", "(5, 5)"]
     assert "false" not in verdicts(statement, *lines)
+
+
+def test_the_share_that_one_sphere_gains() -> None:
+    of_one = _LOSS.replace("energy_lost", "energy(B) - energy(B, 0)")
+    assert verdicts(of_one, "fraction gained = 5.76/25.5 = 0.226") == ["true"]
+    assert verdicts(of_one, "fraction of KE gained by B = 0.226") == ["true"]
+    assert verdicts(_LOSS, "fraction lost by A = 24.96/29 = 0.861") == ["true"]

@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.grounds import LAWS, OF_ANGLES
+from restitution.practice.marking.grounds import LAWS, OF_ANGLES, has_name
 from restitution.practice.marking.lines import (
     as_true,
     before_mistake,
@@ -317,7 +317,7 @@ class _Examiner(SinglePoints):
         """Whether a point rests on a relation by itself, or on a component worked out wrongly."""
         line = self._line(there.line)
         place = None if line is None else line.link
-        if line is None or not place:
+        if line is None or not place or (point.principle == "deflection" and has_name(line)):
             return False
         links = line.line.links
         apart = not continues(links[place - 1], links[place])
@@ -398,9 +398,10 @@ class _Examiner(SinglePoints):
                 self.states[point.id] = replace(own, state="lost", why=why)
 
     def _is_from_wrong_angle(self, mark: PointMark) -> bool:
-        """Whether what earns a point follows from a wrong angle to a wall."""
+        """Whether what earns a point follows from an angle that is wrong for no reason."""
         line = self._line(mark.line)
-        return line is not None and any(map(self._is_of_wrong_angle, self._roots(line)))
+        roots = [] if line is None else self._roots(line)
+        return any(self._is_of_wrong_angle(root) and not has_name(root) for root in roots)
 
     def _withdraw(self, number: int | None, why: str) -> None:
         """Takes away what the line of a printed result, under a line that is not true, gives."""

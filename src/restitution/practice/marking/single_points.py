@@ -573,7 +573,8 @@ class SinglePoints(Grounds):
         law = point.principle
         if law not in (*LAWS, "impulse") or use.altered is not None or line.verdict == "false":
             return False
-        if line.uses[0].principle == law and line.verdict != "follows":
+        stated = line.uses[0].principle == law or law == "impulse"
+        if stated and line.verdict != "follows":
             return False
         return any(
             other.verdict == "false"

@@ -596,6 +596,8 @@ class _Reader(Journeys):
         after, before = self.after(event), event - 1
         energy = Quantity("energy", (), before)
         heads = self.features.heads
+        if heads & {"gain", "loss"}:
+            yield from self.shares_of_bodies(after, before)
         if heads & {"energy", "loss"} or heads == {"ratio"}:
             yield Binary("/", Quantity("energy_lost", (), after), energy)
             if len(self.events) > 1:
@@ -615,6 +617,15 @@ class _Reader(Journeys):
             first, second = (Quantity("mass", (Name(body),)) for body in met)
             yield Binary("/", first, second)
             yield Binary("/", second, first)
+
+    def shares_of_bodies(self, after: int, before: int) -> Iterator[Expression]:
+        """What spheres that are named lose of their own energies; what any gains."""
+        gain = "gain" in self.features.heads
+        named = [name for name in self.features.names if name in self.spheres]
+        for name in named or (self.spheres if gain else ()):
+            early, late = (Quantity("energy", (Name(name),), stage) for stage in (before, after))
+            change = Binary("-", late, early) if gain else Binary("-", early, late)
+            yield Binary("/", change, early)
 
     def ratios_asked(self) -> Iterator[Expression]:
         """The ratios for which the question asks, of the bodies that are named first."""
