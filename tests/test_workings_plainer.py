@@ -427,3 +427,23 @@ def test_spheres_without_a_radius_are_particles_where_they_are_apart() -> None:
         "A hits B: along i, e = 1/2\nfind distance(A, B, at 3)"
     )
     assert "With the spheres as particles, together at the impact: distance apart" in in_a_row(text)
+
+
+def test_a_velocity_of_the_data_by_components_has_its_words() -> None:
+    text = (
+        "wall AB: along i\nwall BC: along j\nsphere P: mass m, velocity u at alpha to AB\n"
+        "P hits AB: e = e\nP hits BC: e = e\nshow velocity(P) opposite to velocity(P, 0)"
+    )
+    words = "The velocity of P at the start, by its components: 𝐮 = u cos α 𝐢 − u sin α 𝐣"
+    assert words in in_a_row(text)
+
+
+def test_a_time_that_is_on_paper_is_an_answer_below_a_coefficient_by_it() -> None:
+    text = (
+        "wall W: along i, through (0, 0)\npoint Q: (3, 1)\n"
+        "sphere P: at (0, 1.5), velocity 4 at 50° to W\nP hits W\nP reaches Q\n"
+        "find e, time(2)"
+    )
+    shown = in_a_row(text)
+    assert "t₂ = 3/(4 cos 50°) ≈ 1.17 s" in shown
+    assert "not written out" not in shown

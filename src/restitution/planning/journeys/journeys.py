@@ -6,6 +6,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.exact import is_zero
 from restitution.explaining.lines.derivation import Move, numbers_in
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
 from restitution.planning.formulas.whereabouts import are_apart, last_move, standing, without_walls
@@ -132,8 +133,13 @@ def _check(scene: Scene, asked: Expression, value: Any) -> None:
     own, in_data = scene.value(asked), scene.model.in_data
     pairs = zip(own, value, strict=True) if isinstance(value, Vector) else [(own, value)]
     gaps = [sized(scene, in_data(a)) - sized(scene, in_data(b)) for a, b in pairs]
-    if not all(scene.model.identically_zero(gap) for gap in gaps):
+    if not all(_vanishes(scene, gap) for gap in gaps):
         raise NotPlannedError("another piece of the path than the lines say")
+
+
+def _vanishes(scene: Scene, gap: sp.Expr) -> bool:
+    """Whether two values are the same; numbers of degrees may be in sines or in cosines."""
+    return scene.model.identically_zero(gap) or (not gap.free_symbols and is_zero(gap))
 
 
 def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:

@@ -144,6 +144,9 @@ class Leads(Titles):
         bodies = self._from_centre_to_centre(line)
         if bodies is not None:
             return (say("centres.between", one=bodies[0], other=bodies[1]),)
+        start = _velocity_of_data(line)
+        if start is not None:
+            return (say("derived-assembled.at-start", body=start),)
         return (say("so"),) if line.move.record == "wall-direction" else None
 
     def _round_by_one_angle(self, line: Line) -> Sentence | None:
@@ -443,3 +446,15 @@ class Leads(Titles):
                     else:
                         ground = self._naming.relation(bounds)
                         yield say("derived.anyway-as", fact=words, ground=ground)
+
+
+def _velocity_of_data(line: Line) -> str | None:
+    """Who has the velocity at the start that a line only writes by components; None of others."""
+    match line.relation:
+        case Relation(((Link(Quantity("velocity", (Name(body),), 0), "="),),)) if (
+            line.move.id == "rearrange"
+            and f"velocity {body}" in line.premises
+            and all(isinstance(ref, str) for ref in line.premises)
+        ):
+            return body
+    return None

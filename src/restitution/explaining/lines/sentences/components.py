@@ -158,6 +158,7 @@ SENTENCES: Mapping[str, str] = {
         "the components, by Pythagoras."
     ),
     "derived-assembled.still": "{body} takes no part in {event}, so its velocity is still",
+    "derived-assembled.at-start": "The velocity of {body} at the start, by its components:",
     "derived-assembled.title": "The velocity, from its components",
     "derived-assembled.why": (
         "A velocity is the sum of its components, each times the unit vector in its direction. "
