@@ -92,7 +92,7 @@ def is_with_calculator(derivation: Derivation) -> bool:
     if is_by_calculator(trees):
         return True
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
-    velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity "))
+    velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity"))
     if any(letters(tree) for relation in velocities for tree in relation.trees):
         return False
     shown = [end.answer for end in derivation.items if end.shown]
