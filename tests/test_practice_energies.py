@@ -67,3 +67,10 @@ def test_the_share_that_one_sphere_gains() -> None:
     assert verdicts(of_one, "fraction gained = 5.76/25.5 = 0.226") == ["true"]
     assert verdicts(of_one, "fraction of KE gained by B = 0.226") == ["true"]
     assert verdicts(_LOSS, "fraction lost by A = 24.96/29 = 0.861") == ["true"]
+
+
+def test_a_number_behind_a_sphere_may_be_its_energy() -> None:
+    assert "false" not in verdicts(_LOSS, "A: 29 → 4.04", "B: 25.5 → 31.26")
+    assert verdicts(_LOSS, "A: 30") == ["false"]
+    of_speed = _LOSS.replace("energy_lost", "speed(A)")
+    assert verdicts(of_speed, "A: 29") == ["false"]

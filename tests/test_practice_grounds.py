@@ -554,3 +554,12 @@ def test_the_difference_of_angles_is_no_deflection_at_a_wall() -> None:
 def test_what_a_calculator_works_out_wrongly_is_seen_as_it_stands() -> None:
     assert states(SLOWER, None, "0.7 x 10 sin35 = -3.00")[1] == "B1 restitution +"
     assert states(SLOWER, None, "0.7 x 10 cos35 = 5.00")[1] == "B1 restitution -"
+
+
+def test_degrees_that_are_added_up_answer_for_an_angle() -> None:
+    statement = """wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W: e = 1/3
+find deflection(P)"""
+    assert states(statement, None, "60 + 30 = 90")[-1].endswith("+")
+    assert states(statement, None, "60 + 20 = 80")[-1].endswith("-")

@@ -17,9 +17,11 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
@@ -344,6 +346,8 @@ class Sides:
             nameless = self._is_nameless(first, meanings, line, open_)
             if not nameless and not impulse:
                 continue
+            if isinstance(last, Number) and is_quantity(quantity, *ANGLES):
+                last = Degrees(last.value)  # 60 + 30 = 90
             pair = self._both(self._base, last, quantity, meanings, line)
             if pair is None:
                 continue

@@ -11,6 +11,7 @@ from restitution.expression.tree import (
     is_binary,
     walk,
 )
+from restitution.practice.reading.energy_lines import asks_energy
 from restitution.practice.reading.readings import Side
 from restitution.problem import Problem
 
@@ -32,10 +33,11 @@ def _is_signed(tree: Expression) -> bool:
     return any(isinstance(node, Negate) or is_binary(node, "-") for node in walk(tree))
 
 
-def worths_of(body: str, value: Expression) -> tuple[Side, ...]:
-    """What a number behind the name of a sphere may be: its speed, or a component."""
+def worths_of(body: str, value: Expression, problem: Problem) -> tuple[Side, ...]:
+    """What a number behind the name of a sphere may be: its speed, a component, an energy."""
     phrases = [f"speed of {body}"]
     phrases += [f"component of {body} along"] if _is_signed(value) else []
+    phrases += [f"KE of {body} {when}" for when in ("before", "after") if asks_energy(problem)]
     return tuple(Side(Letter(phrase)) for phrase in phrases)
 
 

@@ -334,7 +334,10 @@ class Chains:
         if name is not None and of_body and self._is_moving(read[1][0].tree):
             read[0] = vectors_of(name.name, self.problem)  # A = 3i - j
         elif name is not None and of_body and is_numeric(read[1][0].tree):
-            read[0] = (*worths_of(name.name, read[1][0].tree), *read[0])  # B = 2/3 × 3 = 2
+            read[0] = (
+                *worths_of(name.name, read[1][0].tree, self.problem),
+                *read[0],
+            )  # B = 2/3 × 3 = 2
         elif name is not None and name.kind == "name" and is_numeric(read[1][0].tree):
             # angle between the path and BC = 80 - 26 = 54: a wall is no number
             sides, read, signs = sides[1:], read[1:], signs[1:]

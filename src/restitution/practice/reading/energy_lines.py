@@ -59,6 +59,11 @@ def _labelled(line: Plain, match: re.Match[str]) -> Plain:
     return Plain(label + line.text[match.end() :], columns)
 
 
+def asks_energy(problem: Problem) -> bool:
+    """Whether a part of a question asks for an energy, a loss of it or a share."""
+    return any(map(_is_of_energy, _asked(problem)))
+
+
 def _asked(problem: Problem) -> Sequence[object]:
     finds = (step for _, step in problem.steps() if isinstance(step, Find))
     return [tree for step in finds for tree in trees_of_step(step)]

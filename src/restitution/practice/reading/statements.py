@@ -540,7 +540,7 @@ class _Reader(Chains):
             self.statements.values += (sides[0].tree,)
             return
         if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
-            own = list(worths_of(label.name, sides[0].tree))
+            own = list(worths_of(label.name, sides[0].tree, self.problem))
         elif own[0].tree == Letter(f"velocity of {label.name}"):
             own += [Side(place) for place in places_of(label.name, self.problem)]
         own += self.became.get(label.name, ())
