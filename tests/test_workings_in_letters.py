@@ -255,6 +255,39 @@ show alpha + beta = 90°
         ["α = 90° − β"],
         ["does not follow"],
     ),
+    "the known angle is taken from the bound of a deflection first": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at 45° to W
+P hits W
+given deflection(P) < 75°
+find range of e
+""",
+        ["Since δ < 75°: 45° + β < 75°", "β < 30° tan β < √3/3", "0 ≤ e < √3/3"],
+        ["tan δ"],
+    ),
+    "what was shown of letters is put in last": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at 180° - alpha
+A hits B: along i
+given velocity(A) perpendicular to velocity(A, 0)
+show tan^2(alpha) = e
+show speed(A)^2 = e u^2
+""",
+        ["(ii) (speed of A)² = eu² (as required)"],
+        ["not written out"],
+    ),
+    "where a tangent has no value is said by a letter": (
+        """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass 2m, at rest, radius a
+A hits B: offset a
+show tan(deflection(A)) = (1 + e)/(sqrt(3)(1 - e))
+""",
+        ["and δ = 90° if e = 1"],
+        ["= 0 (as required)"],
+    ),
 }
 
 

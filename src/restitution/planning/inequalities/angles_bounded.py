@@ -8,8 +8,16 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Degrees, Quantity, is_function
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    Apply,
+    Degrees,
+    Letter,
+    Quantity,
+    is_function,
+)
 from restitution.planning.angles.turn_lines import meeting
+from restitution.planning.angles.wall_turns import sum_at_a_wall
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, tree_of
@@ -27,6 +35,9 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     """
     assert isinstance(link.right, Degrees)
     judge, mark = worths.judge, worths.mark()
+    if (beside := _beside_a_known_angle(worths, fact, link, angle)) is not None:
+        return beside
+    worths.back(mark)
     try:
         line = worths.angle(angle)
         own = worths.scene.desk.last_link(line)
@@ -58,6 +69,56 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
         return None
     sign, x = stripped
     return put, sign, x
+
+
+def _beside_a_known_angle(
+    worths: Worths, fact: Fact, link: Link, angle: Quantity
+) -> Bounded | None:
+    """The tangent of the other angle of a deflection at a wall, where one is a number of degrees.
+
+    That is taken from the bound first: 45° + β ≤ 60°, so β ≤ 15°. None of any other deflection.
+    """
+    scene, judge = worths.scene, worths.judge
+    if angle.kind != "deflection" or angle.stage not in scene.model.frames:
+        return None
+    try:
+        worths.determine_angle(angle)
+        own = sum_at_a_wall(scene, angle, scene.frame(int(str(angle.stage))))
+    except NotPlannedError:
+        return None
+    if own is None or not isinstance(own[1][0].angle, Degrees):
+        return None
+    number, (before, after) = own
+    assert isinstance(link.right, Degrees)
+    rest = Degrees(link.right.value - before.angle.value)  # type: ignore[union-attr]
+    if not 0 < rest.value < RIGHT_ANGLE.value:
+        return None
+    names = {
+        e.name for e in (after.angle, scene.desk.last_link(number).left) if isinstance(e, Letter)
+    }
+    lets = scene.desk.introducing(names)
+    whole = scene.desk.last_link(number).right
+    first = judge.write(
+        (Move("put"), Move("compare")),
+        [fact.id, number, *lets],
+        _relation(Link(whole, link.sign, link.right)),
+    )
+    less = first and judge.write(
+        (Move("rearrange"),), [first], _relation(Link(after.angle, link.sign, rest))
+    )
+    if not less:
+        return None
+    tangent, limit = Apply("tan", after.angle), tree_of(_tangent_of(rest))
+    _, _, extent = worths.lettered(after.refs[0], after.angle)
+    compared = judge.write(
+        (Move("compare"),), [less, *extent], _relation(Link(tangent, link.sign, limit))
+    )
+    value = worths.value(after.tangent)
+    stripped = without_signs(scene, expanded(value - _tangent_of(rest)), link.sign)
+    put = compared and judge.write(
+        (Move("put"),), [compared, *after.refs], _relation(Link(after.tangent, link.sign, limit))
+    )
+    return None if not put or stripped is None else (put, *stripped)
 
 
 def _relation(link: Link) -> Relation:

@@ -150,7 +150,39 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
             solver.equations.used -= facts
             return line, relation
     assert refusal is not None
-    raise refusal
+    by_shown = _by_what_was_shown(scene, solver, item, now)
+    if by_shown is None:
+        solver.back(standing)
+        raise refusal
+    return by_shown
+
+
+def _by_what_was_shown(
+    scene: Scene, solver: Solver, item: Show, now: int
+) -> tuple[int, Relation] | None:
+    """A quantity worked out without a letter that is tied, which an equation shown puts in last."""
+    match item.relation:
+        case Compare(operators=("=",), figures=None):
+            (link,) = links_of(scene.problem, item.relation, now)
+        case _:
+            return None
+    shown = [number for number in scene.desk.shown if scene.desk.holds(number)]
+    if not shown or has_quantity(link.right) or not has_quantity(link.left):
+        return None
+    relation = Relation(((link,),))
+    with Claims(scene, solver) as claims:
+        scene.free.clear()
+        try:
+            worth = claims.worths.worth(claims.worths.opened(link.left))
+        except NotPlannedError:
+            return None
+        known = claims.judge.known(letters(link.right))
+        for number in shown if worth is not None else ():
+            pool = [worth, number, *known]
+            line = claims.judge.write((Move("put"), Move("rearrange")), pool, relation)
+            if line is not None:
+                return line, relation
+    return None
 
 
 def _names(item: Show) -> frozenset[str]:

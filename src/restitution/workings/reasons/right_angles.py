@@ -354,8 +354,8 @@ class RightAngles:
         if quotient is None:
             return None
         given = tuple(self._in_force(line))
-        # The last side is the plainest, where the first has the size of a component below.
-        sides = [line.relation.only[-1].right, value] if _has_size(value) else [value]
+        # The last side is the plainest: there most has been cancelled.
+        sides = list(dict.fromkeys((line.relation.only[-1].right, value)))
         whole = [node for side in sides for node in walk(side)]
         below = [e.right for e in whole if is_binary(e, "/")]
         for factor in (_of_size(factor) for tree in below for factor in factors_above(tree)):
@@ -441,10 +441,6 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
         case Relation(((Link(left, "=", Binary("+" | "-") as right),),)) if left == turn:
             return right
     return None
-
-
-def _has_size(tree: Expression) -> bool:
-    return any(is_function(node, "abs") for node in walk(tree))
 
 
 def _of_size(tree: Expression) -> Expression:
