@@ -288,6 +288,16 @@ show tan(deflection(A)) = (1 + e)/(sqrt(3)(1 - e))
         ["and δ = 90° if e = 1"],
         ["= 0 (as required)"],
     ),
+    "the range of a tangent may have two parts": (
+        """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 4m, at rest
+A hits B: along i
+find range of tan(angle(velocity(A), i))
+""",
+        ["tan β = (√2 u/2)/(√2(1 − 4e)u/10) = 5/(1 − 4e)", "tan β ≤ −5/3 or tan β ≥ 5, as 0 ≤ e"],
+        ["not written out"],
+    ),
 }
 
 

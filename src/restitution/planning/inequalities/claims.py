@@ -268,9 +268,25 @@ class Claims(Eliminated):
         conditions: list[Ref] = [*self.conditions.lines(asked), *self.conditions.story(asked)]
         known = self.judge.known(letters(asked))
         line = self.judge.write((Move("compare"),), [*conditions, *known], relation)
+        if line is None and has_quantity(asked):
+            line = self._parts_by_its_value(asked, relation)
         if line is None:
             raise NotPlannedError("a range in several parts")
         return line
+
+    def _parts_by_its_value(self, asked: Expression, relation: Relation) -> int | None:
+        """A range in several parts of what has a value in letters, by the ranges of these."""
+        mark = self.worths.mark()
+        worth = self.worths.worth(self.worths.opened(asked))
+        if worth is not None:
+            own = self.scene.desk.last_link(worth)
+            pool = [worth, *self.judge.known(letters(own.right))]
+            for move in ("sign", "monotone"):
+                line = self.judge.write((Move(move),), pool, relation)
+                if line is not None:
+                    return line
+        self.worths.back(mark)
+        return None
 
     def join_the_rest(self, number: int, relation: Relation) -> int:
         """Joins to a range the conditions that are given and that others imply."""
