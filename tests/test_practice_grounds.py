@@ -554,6 +554,7 @@ def test_the_difference_of_angles_is_no_deflection_at_a_wall() -> None:
 def test_what_a_calculator_works_out_wrongly_is_seen_as_it_stands() -> None:
     assert states(SLOWER, None, "0.7 x 10 sin35 = -3.00")[1] == "B1 restitution +"
     assert states(SLOWER, None, "0.7 x 10 cos35 = 5.00")[1] == "B1 restitution -"
+    assert states(SLOWER, None, "perp after = 0.6 x 5.736 = 3.44")[1] == "B1 restitution -"
 
 
 def test_degrees_that_are_added_up_answer_for_an_angle() -> None:

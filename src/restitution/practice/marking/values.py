@@ -576,7 +576,8 @@ class Values(LineContents):
         if not isinstance(link.left, Quantity) or self.is_direction(point):
             return False
         # What is worked out wrongly is seen as it stands: 0.6 × 8 sin 40 = 3.58.
-        values = (line.line.links[0].readings[0].left,) if slipped else line.line.values
+        left = line.line.links[0].readings[0].left if slipped else None
+        values = line.line.values if left is None else () if any(names_in(left)) else (left,)
         across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
         return any(
             self._is_worth(value, link.left, line)
