@@ -367,3 +367,11 @@ def test_a_value_that_stands_rounded_is_shown_by_more_figures() -> None:
     )
     assert "(i) speed of P = √((4u/3)² + (3u)²) = √97 u/3 ≈ 3.28u" in shown
     assert "(ii) speed of P ≈ 3.283u ≈ 3.28u (as required)" in shown
+
+
+def test_a_cosine_by_a_scalar_product_has_its_figures_with_a_calculator() -> None:
+    text = printed(
+        "wall OX: along i\nwall OY: along j\nsphere P: velocity 4 at 232°\nP hits OX: e = 2/3\n"
+        "P hits OY: e = 1/2\nfind angle(velocity(P, 0), velocity(P))"
+    )
+    assert "≈ −0.99114 M1 A1 β ≈ 172°" in text

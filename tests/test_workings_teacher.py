@@ -295,7 +295,7 @@ SAYS = {
         [
             "√((7.2 sin 50°)² + (12 cos 50°)²) ≈ 9.48",
             "tan β = (7.2 sin 50°)/(12 cos 50°) = 0.6 tan 50°",
-            "δ = 50° + β = 50° + arctan(0.6 tan 50°)",
+            "δ = 50° + β ≈ 50° + 35.57°",
         ],
     ),
     # v = u is needed for the third impact only, and stands with w.

@@ -311,11 +311,9 @@ class Chains:
         shortest = 1000 if self._measures.decimals else _NEVER_READ
         if signs[-1] == "≈" and len(sides) > 3 and has_long_root(trees[-1], shortest):
             del sides[-2], signs[-2]
-        if draft.in_figures and line.move.record in _TANGENTS:
-            tangent = self._tangent(line, links[-1].right, trees[-1])
-            if tangent != trees[-1]:
-                sides.append(self._naming.layout(tangent))
-                signs.append("≈")
+        if draft.in_figures and (ratio := self._ratio_in_figures(draft)) != trees[-1]:
+            sides.append(self._naming.layout(ratio))
+            signs.append("≈")
         self._in_figures_from_here(links, sides, signs)
         more = self._one_figure_more(line)
         if more is not None:
@@ -334,6 +332,14 @@ class Chains:
         figures = self._figures.outcome(exact)
         if figures != exact:
             self._figures.stands_for(exact, figures)
+
+    def _ratio_in_figures(self, draft: _Draft) -> Expression:
+        """The figures of a tangent, or of a cosine by a scalar product; else the last side."""
+        line, exact, put = draft.line, draft.links[-1].right, draft.trees[-1]
+        if line.move.record != "scalar-angle":
+            return self._tangent(line, exact, put)
+        alone = self._figures.with_calculator and of_plain_angles(exact)
+        return self._figures.cosine(exact) if alone and not is_figures(put) else put
 
     def _is_open(self, draft: _Draft) -> bool:
         """Whether the side before the last is still to be worked out, so that it is printed."""
@@ -464,8 +470,7 @@ class Chains:
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:
         """A quotient by a root as it stands, where its layout would have a whole number below."""
-        own = unsigned(ratio)
-        whole = self._naming.layout(ratio)
+        own, whole = unsigned(ratio), self._naming.layout(ratio)
         match own:
             case Binary("/", Number() as above, below) | Binary(
                 "/", Letter() | Binary("*") as above, Apply("sqrt") as below
@@ -625,23 +630,18 @@ class Chains:
                 if figures != sides[-1]:
                     sides.append(figures)
                     signs.append("≈")
-        elif (
-            end is None
-            and self._figures.with_calculator
-            and is_sum_with_inverse(right)
-            and not self._is_rounded_next(line)
-        ):
-            degrees = degrees_of(right)
-            sides += [self._naming.layout(degrees)] if degrees else []
-            signs += ["≈"] if degrees else []
+        elif end is None and is_sum_with_inverse(right) and self._is_figures_at_once(line):
+            for degrees in filter(None, [degrees_of(right)]):
+                sides.append(self._naming.layout(degrees))
+                signs.append("≈")
         nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
 
-    def _is_rounded_next(self, line: Line) -> bool:
-        """Whether another line has the value of this one in decimals."""
-        return any(
+    def _is_figures_at_once(self, line: Line) -> bool:
+        """Whether an angle has its figures in its own line, and no other line has them."""
+        return self._figures.with_calculator and not any(
             own.move.id == "value" and line.number in own.premises for own in self._derivation.lines
         )
 

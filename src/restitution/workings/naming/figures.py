@@ -289,6 +289,7 @@ class Figures:
         if number is None:
             return tree
         self._known[own] = number
+        self._by_size.update(_by_its_size(own, number))
         return tree if own is tree and number == own else exchanged(tree, {own: number})
 
     def tangent(self, tree: Expression) -> Expression | None:

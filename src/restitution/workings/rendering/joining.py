@@ -122,7 +122,8 @@ def _is_between(ratio: Row, row: Row, other: Row) -> bool:
             bare and left in (None, row.operands[0]) and name.startswith("arc")
         ):
             first = lay.Function(name.removeprefix("arc"), row.operands[0] or size)
-            return first == ratio.operands[0] and size == ratio.operands[-1]
+            value = ratio.operands[-1]
+            return first == ratio.operands[0] and size in (value, lay.Brackets(value or size))
     return False
 
 
