@@ -24,7 +24,7 @@ find range of k
 """,
         (
             "Cotangent of the angle between two velocities = their scalar product ÷ size of their",
-            "cot δ < √3, as 0° ≤ δ ≤ 180° and δ > 30°",
+            "cot δ < √3, as 30° < δ ≤ 180°",
             "k > ⅘",
         ),
     ),

@@ -706,12 +706,12 @@ show angle(velocity(P), W) <= alpha
         ),
         ["sin²α ≥ ½, as e² ≥ 0", "least value of α = 45°, when e = 0"],
     ),
-    "a velocity before a slanting wall is worked out for the impulse": (
+    "a component before a slanting wall is worked out for the impulse": (
         (
             "wall W: along i - j\nsphere P: mass 2\nP hits W: e = 1/2\n"
             "given velocity(P) = -i + 3j\nfind impulse(P)"
         ),
-        ["a = −4", "b = 0", "(6𝐢 + 6𝐣) N s"],
+        ["√2 = −½(𝐮_P · 𝐧)", "𝐮_P · 𝐧 = −2√2 m s⁻¹", "(6𝐢 + 6𝐣) N s"],
     ),
     "a speed by an angle that a deflection tells": (
         (

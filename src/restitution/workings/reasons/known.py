@@ -106,7 +106,7 @@ class Known:
     def _narrowed(
         self, reasons: Sequence[Sentence | Relation | None]
     ) -> Iterator[Sentence | Relation | None]:
-        """Reasons in which a range of an angle ends at a closer bound of it: 0° ≤ δ ≤ 30°."""
+        """Reasons in which a range of an angle ends at a closer bound of it: 90° < δ ≤ 180°."""
         rest = list(reasons)
         for reason in reasons:
             match reason:
@@ -121,6 +121,13 @@ class Known:
                             rest.remove(other)
                             link = Link(angle, sign, Degrees(bound))
                             rest[rest.index(reason)] = Relation(((low, link),))
+                            break
+                    case Relation(((Link(left, ">" | ">=" as sign, Degrees(bound)),),)):
+                        if self._naming.layout(left) == name and bound < end:
+                            rest.remove(other)
+                            up = Link(Degrees(bound), "<" if sign == ">" else "<=", angle)
+                            high = Link(angle, "<=", Degrees(end))
+                            rest[rest.index(reason)] = Relation(((up, high),))
                             break
         yield from rest
 
