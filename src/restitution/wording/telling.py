@@ -135,7 +135,7 @@ def numbers_of_items(problem: Problem) -> Mapping[str | None, tuple[str, ...]]:
         sizes: list[int] = []
         for run in runs:
             now += run.event is not None
-            listing = None if alone else _asked(scene.at(now), run.asks)
+            listing = None if alone else _asked(scene.at(now), run)
             sizes += [] if listing is None else [entry.items for entry in listing.entries]
         sizes = [1] * len(asks) if alone else sizes
         several = len(sizes) > 1
@@ -244,6 +244,7 @@ class _Run:
     unknown: tuple[str, ...]
     asks: tuple[Find | Show, ...]
     below: bool = False  # whether its facts stand below what is asked without them
+    numbered: bool = False  # whether its part asks more than once: then each item has a number
 
 
 def _runs(problem: Problem, part: Part) -> list[_Run]:
@@ -273,7 +274,8 @@ def _runs(problem: Problem, part: Part) -> list[_Run]:
     ]
     first = next((n for n, run in enumerate(runs) if run.asks), len(runs) - 1)
     runs[first] = replace(runs[first], lets=(*lets, *runs[first].lets), unknown=unknown)
-    return runs
+    numbered = sum(len(run.asks) for run in runs) > 1
+    return [replace(run, numbered=numbered) for run in runs]
 
 
 def _run_of(label: str | None, event: Event | None, steps: Sequence[Step]) -> _Run:
@@ -308,7 +310,7 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
         or not is_letter_fact(relation)
         or letters_of(relation) & lets
     ]
-    asked = _asked(scene, run.asks)
+    asked = _asked(scene, run)
     if asked is not None and given and (asked.lead or len(asked.entries) == 1):
         under = _under(scene, given, asked)
         if under is not None:
@@ -371,12 +373,14 @@ _MOST_WORDS = 42
 _MOST_TOGETHER = 55
 
 
-def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
+def _asked(scene: Scene, run: _Run) -> Listing | None:
+    asks = run.asks
     if not asks:
         return None
     if all(isinstance(ask, Find) and not ask.in_terms_of for ask in asks):
         items = [one for ask in asks if isinstance(ask, Find) for one in groups(scene, ask)]
-        if len(items) <= 2 and len(_sentences(items)) == 1:
+        together = len(items) <= 2 and len(_sentences(items)) == 1
+        if len(items) == 1 or (together and not run.numbered):
             return Listing((), (_entry(items),))
         return _listed(("Find",), items)
     if len(asks) == 1:
@@ -390,6 +394,8 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     for ask in asks:
         if isinstance(ask, Show):
             entries.append(Entry("", sentence(shown(scene, ask))))
+        elif run.numbered:
+            entries += [_entry([item], in_terms(ask)) for item in groups(scene, ask)]
         else:
             parts = _sentences(groups(scene, ask))
             entries += [_entry(items, in_terms(ask)) for items in parts]
