@@ -298,6 +298,22 @@ find range of tan(angle(velocity(A), i))
         ["tan β = (√2 u/2)/(√2(1 − 4e)u/10) = 5/(1 − 4e)", "tan β ≤ −5/3 or tan β ≥ 5, as 0 ≤ e"],
         ["not written out"],
     ),
+    "an angle that a part gives is put in before the laws": (
+        """
+wall AB: along i
+wall BC: along 120°
+sphere P: mass m, velocity u at alpha to AB
+P hits AB: e = 1/3
+part a
+find speed(P)
+part b
+P hits BC: e = 1/3
+given alpha = 60°
+find speed(P)
+""",
+        ["(u/2)(√3/2) + ½(√3 u/6) = √3 u/3"],
+        ["3√3 cos α"],
+    ),
 }
 
 

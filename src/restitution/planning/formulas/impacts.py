@@ -304,8 +304,8 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
 def _whole_speed(scene: Scene, body: str, stage: int, frame: Frame) -> Source | None:
     """The component towards a wall of what strikes it at right angles: the speed that stands."""
     speed = scene.desk.known(Quantity("speed", (Name(body),), stage))
-    if speed is None:
-        return None
+    if speed is None or scene.put(speed.value)[1]:
+        return None  # a speed in letters that are known now is worked out once more
     beside = in_direction(scene, "across", body, stage, frame)
     quantity = frame.component("along", body, stage)
     relation = chain(quantity, (tree_of(speed.value), None))

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Letter, Name, Quantity, walk
+from restitution.expression.tree import Degrees, Letter, Name, Quantity, walk
 from restitution.planning.angles.unknown_blows import take_blow
 from restitution.planning.axes.by_changes import take_impulse, take_opposite
 from restitution.planning.axes.given_momenta import take_mass, take_momentum
@@ -115,7 +115,13 @@ class ByFacts(Course):
         """A coefficient that is given as a number is known before a law takes it."""
         for own in left:
             given, open_ = self.equations.givens.get(own.id), self._open(own)
-            if given is None or not self._is_value(given) or not self._are_coefficients(open_):
+            if given is None or not self._is_value(given):
+                continue
+            # So is an angle: its letter does not go through the laws.
+            is_angle = isinstance(given.link.right, Degrees) and len(open_) == 1
+            if is_angle and self._take_value(given, *open_):
+                return (own,)
+            if not self._are_coefficients(open_):
                 continue
             if len(open_) == 2 and self._take_equal(given, open_):
                 return (own,)
