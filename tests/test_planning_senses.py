@@ -373,7 +373,7 @@ sphere P: velocity u at -40°
 P hits W: e = 1/3
 find direction(P), deflection(P)
 """,
-        ("δ = arctan(⅓ tan 40°) + 40°",),
+        ("δ ≈ 15.63° + 40°",),
         (),
     ),
     "a deflection from i, with the direction": (
