@@ -50,6 +50,36 @@ def test_where_nothing_is_met_again_nothing_is_told(text) -> None:
     assert notes(text) == []
 
 
+SPHERES = """\
+sphere A: mass m, velocity u cos(alpha) i + u sin(alpha) j
+sphere B: mass m, velocity -u cos(alpha) i + u sin(alpha) j
+A hits B: along i
+part a
+given velocity(A) perpendicular to velocity(A, 0)
+show tan(alpha)^2 = e
+part b
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "given velocity(A) perpendicular to velocity(A, 0)\nshow speed(A) = u sqrt(e)",
+        "find velocity(A)",
+    ],
+)
+def test_a_relation_that_is_shown_or_given_again_is_no_value(text) -> None:
+    warnings = solve(parse(SPHERES + text)).warnings
+    assert not [each for each in warnings if "was found in part" in each]
+
+
+def test_a_relation_that_is_given_again_holds_again() -> None:
+    found = SPHERES.replace("show tan(alpha)^2 = e", "find e in terms of alpha")
+    given = "given velocity(A) perpendicular to velocity(A, 0)\nfind speed(A) in terms of u, e"
+    warnings = solve(parse(found + given)).warnings
+    assert not [each for each in warnings if "was found in part" in each]
+
+
 def test_it_is_told_once() -> None:
     parts = "part a\ngiven speed(P) = 4\nfind e\npart b\nfind impulse\npart c\nfind energy_lost"
     assert notes(parts) == [TOLD]

@@ -8,7 +8,7 @@ from restitution import work
 from restitution.errors import TimeLimitError, require
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
-from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
+from restitution.problem import Compare, Given, Part, Problem, Relation, Show, trees_of_step
 from restitution.solving.asked_letters import in_asked_letters
 from restitution.solving.equations.part import Desk
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
@@ -54,7 +54,7 @@ def _solved(problem: Problem) -> Solution:
     parts: dict[str | None, PartSolution] = {}
     warnings = list(problem.warnings)
     carried: frozenset[str] = frozenset()
-    relations: dict[str, str] = {}
+    relations: dict[str, Part] = {}
     asking = [part for part in problem.parts if asks(part)]
     if not asking:
         warnings.append("nothing is asked: a line such as 'find velocity(A)' would ask for it")
@@ -69,26 +69,39 @@ def _solved(problem: Problem) -> Solution:
         met = _met_again(parts[part.label], relations)
         warnings += met.values()
         # A letter is met again once; later parts take it as this one does.
-        relations = {
-            relation: label for relation, label in relations.items() if relation not in met
-        }
+        relations = {letter: earlier for letter, earlier in relations.items() if letter not in met}
         relations |= _under_own_facts(parts[part.label])
         carried = carried | worker.asked_of_all()
     return Solution(problem, parts, tuple(warnings))
 
 
-def _under_own_facts(part: PartSolution) -> dict[str, str]:
-    """The letters found from the facts of a part alone, each with the label of the part.
+def _under_own_facts(part: PartSolution) -> dict[str, Part]:
+    """The letters found from the facts of a part alone, each with the part.
 
     One whose value is itself such a fact, as in ``given k = 3``, is not found.
     """
-    label = part.part.label
-    given = [step for step in part.part.steps if isinstance(step, Given)]
-    if label is None or not given:
+    relations = _facts(part.part)
+    if part.part.label is None or not relations:
         return {}
-    relations = [relation for step in given for relation in step.relations]
     data = {name for relation in relations for name in _letters_with_values(relation)}
-    return dict.fromkeys((name for name in _solved_letters(part) if name not in data), label)
+    claims = all(isinstance(item.item, Show) for item in part.items)
+    return {
+        name: part.part
+        for name in _solved_letters(part)
+        if name not in data and not (claims and _is_in_letters(part, name))
+    }
+
+
+def _is_in_letters(part: PartSolution, name: str) -> bool:
+    """Whether a letter has a value in other letters: a claim about it shows a relation only."""
+    values = (branch.values.get(name) for branch in part.branches)
+    return any(value is not None and value.free_symbols for value in values)
+
+
+def _facts(part: Part) -> set[Relation]:
+    """What is given in a part alone."""
+    steps = (step for step in part.steps if isinstance(step, Given))
+    return {relation for step in steps for relation in step.relations}
 
 
 def _letters_with_values(relation: Relation) -> Iterator[str]:
@@ -105,14 +118,19 @@ def _solved_letters(part: PartSolution) -> list[str]:
     return [name for name in names if not name.startswith("_")]
 
 
-def _met_again(part: PartSolution, relations: dict[str, str]) -> dict[str, str]:
-    """Notes of the letters in the answers of a part that had a value in an earlier one only."""
+def _met_again(part: PartSolution, relations: dict[str, Part]) -> dict[str, str]:
+    """Notes of the letters in the answers of a part that had a value in an earlier one only.
+
+    A part in which the facts of the earlier one are given again has its relation too.
+    """
+    given = _facts(part.part)
     met = {name for item in part.items for answer in item.answers for name in answer.letters}
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return {
-        letter: f"{letter} was found in part ({relations[letter]}) from the facts of that part "
-        f"alone; in part ({part.part.label}) it is a letter again"
+        letter: f"{letter} was found in part ({relations[letter].label}) from the facts of that "
+        f"part alone; in part ({part.part.label}) it is a letter again"
         for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
+        if not _facts(relations[letter]) <= given
     }
 
 
