@@ -199,3 +199,33 @@ find alpha"""
     assert found["lines"][1]["mistake"]["id"] == "deflection-is-after"
     points = [x for x in found["marks"]["points"] if x["for"] == "angle of deflection"]
     assert [point["state"] for point in points] == ["lost"]
+
+
+# 5i + 10j after 14i - 2j: the impulse is 2(-9i + 12j).
+UNKNOWN_WALL = """wall W
+sphere P: mass 2, velocity 14i - 2j
+P hits W
+given velocity(P) = 5i + 10j
+find impulse, e
+"""
+
+
+def test_a_size_below_a_change_of_velocity_is_that_of_it() -> None:
+    change = "change in velocity = -9i + 12j"
+    assert (
+        verdicts(UNKNOWN_WALL, change, "size √(81 + 144) = 15", "I = 2 x 15 = 30") == ["true"] * 3
+    )
+    assert verdicts(UNKNOWN_WALL, change, "size = 16")[1] == "false"
+
+
+def test_the_direction_of_an_impulse_is_no_value_of_it() -> None:
+    lines = ["impulse direction is -3i + 4j so normal is (-3i + 4j)/5", "direction of P is i + 2j"]
+    assert "false" not in verdicts(UNKNOWN_WALL, *lines)
+
+
+def test_energies_along_the_line_are_parts_of_energies() -> None:
+    statement = PAIR.replace("mass 2", "mass 2m").replace("mass 1", "mass m")
+    statement = statement.replace("6i + j", "6u i + u j").replace("-3i + 4j", "-3u i + 4u j")
+    line = "along the line: {}mu² at first and 16.5mu² at last"
+    assert verdicts(statement + "energy_lost", line.format("40.5")) == ["true"]
+    assert verdicts(statement + "energy_lost", line.format("41.5")) == ["false"]

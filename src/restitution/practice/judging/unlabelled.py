@@ -57,8 +57,10 @@ class Unlabelled(Journeys):
         if len(left) == 1 and (end := self._as_answer(*left[0], lines[-1].line)) is not None:
             link, value = end
             if not any(self._is_worth(x, value, link) for x in self._known_of_kind(left[0][0])):
-                first = next(line.line for line in lines if self._works_out(line.line, value))
-                yield first, link, lines[-1].line.number
+                working = (line.line for line in lines if self._works_out(line.line, value))
+                first = next(working, None)
+                if first is not None:
+                    yield first, link, lines[-1].line.number
         for (tree, now), line in product(left, reversed(lines)):
             if (end := self._as_answer(tree, now, line.line)) is not None:
                 link, value = end

@@ -90,6 +90,14 @@ IS_A_SHARE = re.compile(
     r"(?:\s+before)?)(?![\w])",
     re.IGNORECASE,
 )
+_ENERGY_VALUE = r"[\d./]*\s*[mM]\s*\w?(?:\^2|²)"
+# What the components along the line have of the energies: ``along the line: 32mu² at first …``.
+ENERGIES_ALONG = re.compile(
+    r"\b(along\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC))\s*[:=]?\s*"
+    rf"({_ENERGY_VALUE})\s+(?:at\s+first|before|initially|at\s+the\s+start)\s*(?:,|and|,\s*and)\s*"
+    rf"({_ENERGY_VALUE})\s+(?:at\s+last|after|finally|at\s+the\s+end|in\s+the\s+end)",
+    re.IGNORECASE,
+)
 _LOSS = re.compile(r"\b(?:lost|loss|loses)\b", re.IGNORECASE)
 
 
@@ -147,6 +155,11 @@ def loses(match: re.Match[str], problem: Problem) -> str:
     if whole:
         return f"{start}fraction lost = {value}"
     return match[0]
+
+
+def energies_along(match: re.Match[str], _: Problem) -> str:
+    """The parts of the energies before and after that components along the line have."""
+    return f"KE {match[1]} before = {match[2]}, KE {match[1]} after = {match[3]}"
 
 
 def keeps(match: re.Match[str], _: Problem) -> str:

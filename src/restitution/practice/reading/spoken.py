@@ -38,6 +38,12 @@ _IT_IS = re.compile(
 _BECOMES = re.compile(
     rf"\bthe\s+({_NUMBER})\s+(?:becomes|turns\s+into|changes\s+to|goes\s+to)\s+", re.IGNORECASE
 )
+# What an impulse is only parallel to: ``impulse direction is -3i + 4j``.
+_DIRECTION_OF_IMPULSE = re.compile(
+    r"\b(?:direction\s+of\s+(?:the\s+)?impulse|impulse\s+(?:is\s+)?(?:in\s+(?:the\s+)?)?direction)"
+    r"\s*(?:is|=|:|of)?\s*(?=\(?\s*-?\s*[\d./√]*[ij]\b)",
+    re.IGNORECASE,
+)
 _SPEED_SQUARED = re.compile(
     r"\b(speed(?:\s+(?:of\s+[A-Z]|before|after|initially|finally|afterwards))*)\s+squared\b",
     re.IGNORECASE,
@@ -303,6 +309,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (amounts.WHICH_IS, amounts.which_is),
     (amounts.LISTED_LOSS, amounts.listed_loss),
     (amounts.LOSES, amounts.loses),
+    (amounts.ENERGIES_ALONG, amounts.energies_along),
     (amounts.KEEPS, amounts.keeps),
     (amounts.SETS_OFF, amounts.sets_off),
     (amounts.IS_A_SHARE, amounts.is_a_share),
@@ -314,6 +321,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
+    (_DIRECTION_OF_IMPULSE, lambda _, __: "impulse is parallel to "),
     (_SPEED_SQUARED, lambda match, _: f"{match[1]}^2"),
     (_AXIS_BECOMES, lambda match, _: f"{match[1]} {match[2]} component after = "),
     (_TURNED, _turned),

@@ -97,6 +97,19 @@ def _read(
     return Script(tuple(script_lines))
 
 
+# A change of velocity as a vector, at the end of its line, and a size that says not of what.
+_CHANGE = re.compile(
+    r"change\s+(?:in|of)\s+(?:v|vel|velocity)\b[^=]*=(?:[^=]*=)*\s*"
+    r"(-?\s*[\d./√]*[ij]\s*[-+]\s*[\d./√]*[ij])\s*$",
+    re.IGNORECASE,
+)
+_SIZE_OF_IT = re.compile(
+    r"^\s*(?:so\s+)?(?:its\s+|the\s+)?(?:size|magnitude|mag|modulus)(?:\s+of\s+(?:it|this|that))?"
+    r"\s*(?:is|=|:)?\s*(?=[\d√(])",
+    re.IGNORECASE,
+)
+
+
 class _Reader:
     """Reads line after line; keeps the part, the scope and the last right side."""
 
@@ -107,6 +120,7 @@ class _Reader:
         self.cases = 0
         self.past = Past()
         self.of_energy = False
+        self.change: str | None = None
 
     def line(self, number: int, typed: str, line: Plain) -> ScriptLine:
         """One line, read."""
@@ -131,7 +145,7 @@ class _Reader:
     def _read(self, number: int, typed: str, line: Plain) -> ScriptLine:
         cases = self.cases
         line, opened = self._behind_headings(line)
-        line = with_labels(line, self.problem)
+        line = self._with_the_change(with_labels(line, self.problem))
         tokens = with_phrases(scan(line, self.usage), line.text, self.problem)
         if not tokens:
             return self._script_line(number, typed, "heading" if opened else "remark")
@@ -153,6 +167,18 @@ class _Reader:
         )
         self.past = statements.past
         return self._line_of_statements(number, typed, statements, scope, opened)
+
+    def _with_the_change(self, line: Plain) -> Plain:
+        """A line about a size alone, with the change of velocity of the line above in bars."""
+        match = None if self.change is None else _SIZE_OF_IT.match(line.text)
+        change, above = _CHANGE.search(line.text), self.change
+        self.change = None if change is None else change[1]
+        if match is None or above is None:
+            return line
+        put = f"|{above}| = "
+        # Numbers are known by their columns: those put in stand beyond the line.
+        columns = tuple(range(MAX_LENGTH + 1, MAX_LENGTH + 1 + len(put)))
+        return Plain(put + line.text[match.end() :], columns + line.columns[match.end() :])
 
     def _whose(self, scope: Scope) -> str | None:
         """The velocity of which a heading speaks, in words: ``after W: 8i + 3j``."""
