@@ -341,8 +341,8 @@ P hits W: e = 2/3
 given energy_lost = 1/4 energy(0)
 find speed(P), deflection(P)
 """,
-        ("    sin θ = ",),
-        ("tan θ",),
+        ("speed of P = √3 u/2", "tan θ = √11/3"),
+        ("not written out",),
     ),
     "an angle to a wall that is parallel to the line of centres": (
         """
@@ -479,7 +479,7 @@ A hits B: offset d, e = 1/2
 given angle(line_of_centres, velocity(A, 0)) = 45°
 find d, speed(B)
 """,
-        ("d/(2r) = √2/2", "d = √2 r", "has sine √2/2 and cosine\n√2/2"),
+        ("d/(2r) = √2/2", "d = √2 r", "makes an angle of 45° with the path of A"),
         ("d²", "does not follow"),
     ),
     "two roots by the formula, in one order": (

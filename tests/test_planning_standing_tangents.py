@@ -51,7 +51,7 @@ def test_a_given_tangent_is_put_in_itself() -> None:
         WALL.format(e="e") + "part a\nshow tan(beta) = e tan(alpha)\n"
         "part b\ngiven e = 1/2, tan(alpha) = 3/4\nfind deflection(P)\n"
     )
-    assert "(b) Since e = ½ and tan α = ¾, from (1): tan β = ⅜" in said
+    assert "(b) Since e = ½ and tan α = ¾, from (1): tan β = ½ × ¾ = ⅜" in said
 
 
 @pytest.mark.parametrize(

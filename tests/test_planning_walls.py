@@ -66,7 +66,7 @@ given tan(alpha) = 2/tan(50°)
 P hits OB: e = 1/3
 find speed(P) in terms of u, alpha
 """,
-        ("= u/((3 cos 50°)√(4 + tan² 50°))", "≈ 0.2227u", "speed of P ≈ 0.223u"),
+        ("= u/((3 cos 50°)√(4 + tan² 50°))", "≈ 0.2227u", "≈ 0.223u"),
         ("≈ −0.2227u",),
     ),
     "a wall that is struck at right angles takes the speed": (

@@ -190,9 +190,8 @@ given cos(alpha) = 3/5, direction(A) = 90°
 find e, energy_lost
 """
     )
-    lead = "It is given that cos α = ⅗."
-    assert f"{lead} Conservation of momentum along the line of centres: m × 3u = 2mw" in said
-    assert said.count(lead) == 1
+    assert "Since cos α = ⅗, from (1): w = 3u/2" in said
+    assert said.count("cos α = ⅗") == 1
 
 
 def test_a_unit_vector_to_a_wall_that_was_found_is_not_written_again() -> None:

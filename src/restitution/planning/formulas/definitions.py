@@ -128,6 +128,9 @@ def write_formula(scene: Scene, own: Formula) -> int:
             if own.value.is_number and not scene.judge.follows(own.move, refs, relation):
                 # No formula joins 40° and 20°, though it may be shorter in 20° alone.
                 relation = chain(own.left, (right, None))
+        elif _has_figures(own.value) and not scene.judge.follows(own.move, refs, relation):
+            # Nobody shows that both forms are one: a decimal comes next.
+            relation = chain(own.left, (right, None))
         if _has_roots_of_letters(own.right):
             known = background(scene, letters(right))
             refs = scene.judge.enough(own.move, refs, relation, known) or refs
@@ -187,6 +190,16 @@ def _is_figure(value: Any) -> bool:
     """Whether a number is made of sines and cosines of degrees that have no exact values."""
     own = sp.sympify(value, strict=True)
     return bool(own.is_number and own.atoms(sp.sin, sp.cos, sp.tan))
+
+
+def _has_figures(value: Any) -> bool:
+    """Whether ratios of degrees that have no exact values stand below a root."""
+    roots = sp.sympify(value, strict=True).atoms(sp.Pow)
+    return any(
+        not root.exp.is_Integer
+        and any(not ratio.free_symbols for ratio in root.base.atoms(sp.sin, sp.cos, sp.tan))
+        for root in roots
+    )
 
 
 def _is_root(tree: Expression) -> bool:
