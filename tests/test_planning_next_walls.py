@@ -96,6 +96,30 @@ def test_the_angle_to_the_next_wall_is_a_difference() -> None:
     ]
 
 
+GIVEN = """
+wall AB: along i
+wall BC: along 60°
+sphere P: velocity 4 at 45° to AB
+P hits AB: e = e
+given angle(velocity(P, 1), AB) = 30°
+part a
+find e
+part b
+P hits BC: e = e
+find angle(velocity(P), BC)
+"""
+
+
+def test_a_given_angle_to_a_wall_is_one_with_the_next_wall() -> None:
+    said = " ".join(str(explain(solve(parse(GIVEN)), check=True)).split())
+    assert (
+        "AB and BC meet at 60°. The angle between the path and BC: "
+        "angle between 𝐯₁ and BC = 60° − 30° = 30°"
+    ) in said
+    assert "P moves at 30° to BC." in said
+    assert "𝐧" not in said
+
+
 def test_a_wall_with_e_1_keeps_speed_and_angle() -> None:
     said = lines_of("from the other side")
     assert "speed(P, 1) = u" in said

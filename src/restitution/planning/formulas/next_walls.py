@@ -30,6 +30,7 @@ from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import negative, product, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.given_angles import given_angle
 from restitution.planning.writing.scene import Scene
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
@@ -54,14 +55,20 @@ def angle_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Source | 
 
 
 def standing_angle(scene: Scene, angle: Quantity) -> Source | None:
-    """What an angle is by a line of it or of its letter, with the line that names it."""
-    known = scene.desk.known(angle)
+    """What an angle is by a line, of it or of the letter that names it, or by a given fact."""
+    known = scene.desk.known(angle) or _given(scene, angle)
     named = letter_known(scene, angle)
     if named is None:
         return known
     by_letter = scene.desk.known(Letter(named[0]))
     own = by_letter or known
     return None if own is None else Source(own.value, together(own.refs, (named[1],)))
+
+
+def _given(scene: Scene, angle: Quantity) -> Source | None:
+    """What an angle is given as."""
+    given = given_angle(scene, angle)
+    return None if given is None else Source(scene.scalar(given[0]), given[1])
 
 
 def _is_plain(scene: Scene, angle: Source) -> bool:

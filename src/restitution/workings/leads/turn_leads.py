@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from restitution.explaining.data.paths_and_lines import turn_of_line
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Event,
@@ -381,7 +382,20 @@ class TurnLeads(LinesAround):
         if wall == own:
             kept = f"e {event.number}" in line.premises
             return say("kept.angle", body=body, wall=own) if kept else None
-        return say("next-wall.angle", next=wall, wall=own)
+        between = self._between_walls(line, own, wall)
+        if between is None:
+            return say("next-wall.angle", next=wall, wall=own)
+        return say("next-wall.between", next=wall, wall=own, angle=self._naming.layout(between))
+
+    def _between_walls(self, line: Line, *walls: str) -> Degrees | None:
+        """The angle at which two walls meet, or its rest of 180°, as a line has it."""
+        here, there = (_turn_of_wall(self._derivation.fact(f"wall {wall}")) for wall in walls)
+        if not (isinstance(here, Degrees) and isinstance(there, Degrees)):
+            return None
+        turn = (here.value - there.value) % STRAIGHT_ANGLE.value
+        nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
+        ends = (Degrees(turn), Degrees(STRAIGHT_ANGLE.value - turn))
+        return max((e for e in ends if e in nodes), key=lambda end: end.value, default=None)
 
     def kept_speed(self, line: Line, event: Event | None) -> Sentence | None:
         """That a body keeps its speed at a wall with e = 1; None of another line."""
@@ -548,6 +562,14 @@ def _of_differences(base: Line | Fact, name: str) -> str:
 
 def _kind_of(angle: Expression) -> str:
     return angle.kind if isinstance(angle, Quantity) else ""
+
+
+def _turn_of_wall(wall: Fact | None) -> Expression | None:
+    """The angle from **i** at which a wall is, where that is told."""
+    match None if wall is None else wall.relation.only[-1].right:
+        case Unit(axis):
+            return RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0))
+    return turn_of_line(wall)
 
 
 def _form_of(angle: Expression) -> str:

@@ -111,7 +111,12 @@ SENTENCES: Mapping[str, str] = {
         "Cotangent of the angle between two velocities = their scalar product ÷ size of their "
         "vector product"
     ),
-    "next-wall.angle": "The angle that the path makes with {next}, by the one with {wall}:",
+    "next-wall.angle": (
+        "The angle between the path and {next}, from that between the path and {wall}:"
+    ),
+    "next-wall.between": (
+        "{wall} and {next} meet at {angle}. The angle between the path and {next}:"
+    ),
     "between.line": "{body} moves along the line of centres:",
     "between.line-back": (
         "{one} moves along the line of centres, and {other} the opposite way along it:"
