@@ -631,7 +631,8 @@ class Chains:
                     sides.append(figures)
                     signs.append("≈")
         elif end is None and is_sum_with_inverse(right) and self._is_figures_at_once(line):
-            for degrees in filter(None, [degrees_of(right)]):
+            degrees = degrees_of(right)
+            if degrees is not None:
                 sides.append(self._naming.layout(degrees))
                 signs.append("≈")
         nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)

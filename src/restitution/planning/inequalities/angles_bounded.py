@@ -109,7 +109,8 @@ def _beside_a_known_angle(
     if not less:
         return None
     tangent, limit = Apply("tan", after.angle), tree_of(_tangent_of(rest))
-    _, _, extent = worths.lettered(after.refs[0], after.angle)
+    standing = next(ref for ref in after.refs if isinstance(ref, int))
+    _, _, extent = worths.lettered(standing, after.angle)
     compared = judge.write(
         (Move("compare"),), [less, *extent], _relation(Link(tangent, link.sign, limit))
     )

@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
-from restitution.explaining.lines.derivation import Link, Move, Relation, equality
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
@@ -177,8 +177,10 @@ def _by_what_was_shown(
         except NotPlannedError:
             return None
         known = claims.judge.known(letters(link.right))
-        for number in shown if worth is not None else ():
-            pool = [worth, number, *known]
+        if worth is None:
+            return None
+        for number in shown:
+            pool: list[Ref] = [worth, number, *known]
             line = claims.judge.write((Move("put"), Move("rearrange")), pool, relation)
             if line is not None:
                 return line, relation

@@ -618,7 +618,7 @@ class _Reader(Journeys):
             yield Binary("/", first, second)
             yield Binary("/", second, first)
 
-    def shares_of_bodies(self, after: int, before: int) -> Iterator[Expression]:
+    def shares_of_bodies(self, after: Stage, before: int) -> Iterator[Expression]:
         """What spheres that are named lose of their own energies; what any gains."""
         gain = "gain" in self.features.heads
         named = [name for name in self.features.names if name in self.spheres]
