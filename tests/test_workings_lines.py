@@ -214,6 +214,23 @@ def test_a_condition_has_its_reason(text: str, sentence: str) -> None:
     assert sentence in working(text)
 
 
+def test_a_condition_of_a_divisor_that_an_earlier_part_shows_is_plain() -> None:
+    """``tan²α = 1/e`` tells of itself that e is not 0, as ``tan²α = e`` does not."""
+    text = """
+wall W: along {way}
+sphere P: mass m, velocity u at alpha{to}
+P hits W
+given deflection(P) = 90°
+part a
+show tan(alpha)^2 = {square}
+part b
+find energy_lost/energy(0) in terms of e
+"""
+    condition = "As α is acute, this holds for e > 0 only."
+    assert condition not in working(text.format(way="i", to=" to W", square="1/e"))
+    assert condition in working(text.format(way="j", to="", square="e"))
+
+
 # --- angles of the data --------------------------------------------------------------------------
 
 

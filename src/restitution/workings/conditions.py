@@ -13,13 +13,14 @@ from restitution.components.models import Model
 from restitution.components.telling import model
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.data.unused import first_lines_of_letters
+from restitution.explaining.data.unused import first_lines_of_letters, lines_under
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Expression,
     Letter,
     Number,
     has_quantity,
@@ -78,9 +79,54 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 bounds = _bounds_of_squares(derivation, line)
                 known = Known(subjects.keys(), above, squares, bounds)
                 sentence = _sentence(solution, part, item, answer, known)
-                if sentence is not None:
+                if sentence is not None and not (
+                    _is_by_angles(sentence) and _is_divided_by(derivation, line, answer)
+                ):
                     sentences[line] = sentence
     return sentences
+
+
+def _is_by_angles(sentence: Sentence) -> bool:
+    """Whether a condition comes of acute angles alone."""
+    reasons = dict(sentence.slots).get("reasons", ())
+    return sentence.id == "answer.only-as" and all(
+        isinstance(reason, Sentence) and reason.id == "derived.acute" for reason in reasons
+    )
+
+
+def _is_divided_by(derivation: Derivation, last: int, answer: Answer) -> bool:
+    """Whether a condition is that of a letter by which an earlier item divides: that is plain.
+
+    ``tan²α = 1/e``, from which a line goes on, has no value for e = 0.
+    """
+    own = derivation.line(last)
+    under = (derivation.line(ref) for ref in lines_under(derivation, last))
+    links = [
+        link
+        for line in under
+        if line is not None and own is not None and line.item != own.item
+        if isinstance(line.relation, Relation)
+        for option in line.relation.options
+        for link in option
+        if link.sign == "=" and not has_quantity(link.right)
+    ]
+    return any(
+        answer.condition == (f"0 < {name}",) and _is_infinite_without(link.right, name)
+        for link in links
+        for name in letters(link.right)
+    )
+
+
+def _is_infinite_without(tree: Expression, name: str) -> bool:
+    """Whether a value has a divisor that is zero where a letter is."""
+    try:
+        value = in_letters(tree, positive=True)
+    except RestitutionError:
+        return False
+    if not isinstance(value, sp.Expr):
+        return False
+    divisor = sp.fraction(sp.together(value))[1]
+    return bool(divisor.subs(sp.Symbol(name, positive=True), 0) == 0)
 
 
 def _are_given(
