@@ -342,6 +342,25 @@ def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:
     assert "In this range 0 < 1 + 2k < 2, so P hits W1 between its ends too." in text
 
 
+def test_a_wall_that_is_hit_in_an_earlier_part_is_named_there() -> None:
+    text = working("""
+point O: (0, 0)
+wall OX: from O to (6, 0)
+wall OY: from O to (0, 1)
+sphere P: at (4, 2), velocity -u i - u j
+part a
+P hits OX: e = e
+find position(P, 1)
+part b
+P hits OY
+find range of e
+""")
+    first, second = text.split("(b)", 1)
+    assert "P hits OX between its ends, as 0 < 2 < 6." in first
+    assert "P hits OY between its ends:" in second
+    assert "OX between" not in second
+
+
 def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
     text = working(BALL_TO_BALL)
     told = "B was at rest before the first impact, so it moved off along the line of centres"

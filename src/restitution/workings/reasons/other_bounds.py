@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Number,
     has_operator,
     has_quantity,
+    is_quantity,
     letters,
 )
 from restitution.oracle import BeyondError, Oracle, compared
@@ -36,6 +37,8 @@ _WITHIN: Mapping[tuple[str, bool], SentenceId] = {
     ("range", True): "range.within-all",
     ("anyway", False): "range.within-anyway",
     ("anyway", True): "range.within-all-anyway",
+    ("before", False): "range.within-before",
+    ("before", True): "range.within-all-before",
 }
 _TWO = Number(Fraction(2))
 _ORDER = ("<", "<=", ">", ">=")
@@ -60,7 +63,13 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
         ]
         bounds += _other_ends(solution, derivation, line)
         reached = list(_other_walls(solution, derivation, line))
-        notes = [_note_of_walls(naming, line, reached)] if reached else []
+        notes = []
+        for number, own in _by_home(derivation, line, reached).items():
+            note = _note_of_walls(naming, line, own, before=number != line.number)
+            if number == line.number:
+                notes.append(note)
+            else:
+                sentences.setdefault(number, note)
         if bounds:
             relations = tuple(naming.relation(Relation(((bound,),))) for bound in bounds)
             notes.insert(0, say("range.also", bounds=relations))
@@ -112,19 +121,59 @@ Reached = tuple[Event, tuple[Link, ...]]
 """The event of a wall, and that the place there lies between its ends."""
 
 
-def _note_of_walls(naming: Naming, line: Line, reached: Sequence[Reached]) -> Sentence:
-    """That the body which comes first to such a wall comes there between its ends."""
+def _by_home(
+    derivation: Derivation, line: Line, reached: Sequence[Reached]
+) -> dict[int, list[Reached]]:
+    """Walls by the line below which their note stands.
+
+    That is the end of the item of an earlier part that tells where the body hits, if the range has
+    no part in it.
+    """
+    homes: dict[int, list[Reached]] = {}
+    for wall_end in reached:
+        _, links = wall_end
+        homes.setdefault(_home(derivation, line, links), []).append(wall_end)
+    return homes
+
+
+def _home(derivation: Derivation, line: Line, links: Sequence[Link]) -> int:
+    under = lines_under(derivation, line.number)
+    places = {link.right for link in links} | {link.left for link in links}
+    items = [
+        own.item
+        for own in derivation.lines
+        if own.number in under
+        and own.item != line.item
+        and isinstance(own.relation, Relation)
+        and len(own.relation.options) == 1
+        and is_quantity(own.relation.only[0].left, "along")
+        and own.relation.only[-1].right in places
+    ]
+    part = derivation.asked.get(line.item or "")
+    ends = [e.line for e in derivation.items if e.item in items[-1:] and e.part != part]
+    return ends[-1] if ends and not _varies(line, links) else line.number
+
+
+def _varies(line: Line, links: Sequence[Link]) -> bool:
+    """Whether places have letters of a range in them."""
     assert isinstance(line.relation, Relation)
+    sides, places = (
+        {name for e in own for tree in (e.left, e.right) for name in letters(tree)}
+        for own in (line.relation.options[0], links)
+    )
+    return bool(sides & places)
+
+
+def _note_of_walls(
+    naming: Naming, line: Line, reached: Sequence[Reached], *, before: bool
+) -> Sentence:
+    """That the body which comes first to such a wall comes there between its ends."""
     body = reached[0][0].bodies[0]
     own = [wall_end for wall_end in reached if wall_end[0].bodies[0] == body]
     walls = tuple(dict.fromkeys(event.bodies[1] for event, _ in own))
     bounds = tuple(naming.relation(Relation(((*links,),))) for _, links in own)
-    sides, places = (
-        {name for e in links for tree in (e.left, e.right) for name in letters(tree)}
-        for links in (line.relation.options[0], [e for _, links in own for e in links])
-    )
-    varies = "range" if sides & places else "anyway"
-    name = _WITHIN[varies, len(walls) > 1]
+    varies = _varies(line, [link for _, links in own for link in links])
+    name = _WITHIN["before" if before else "range" if varies else "anyway", len(walls) > 1]
     return say(name, bounds=bounds, body=body, walls=walls)
 
 

@@ -15,6 +15,8 @@ SENTENCES: Mapping[str, str] = {
     "range.both": "{one} {two}",
     "range.within": "In this range {bounds:and}, so {body} hits {walls:and} between its ends too.",
     "range.within-anyway": "{body} hits {walls:and} between its ends too, as {bounds:and}.",
+    "range.within-before": "{body} hits {walls:and} between its ends, as {bounds:and}.",
+    "range.within-all-before": "{body} hits {walls:and} between their ends, as {bounds:and}.",
     "range.within-all-anyway": "{body} hits {walls:and} between their ends too, as {bounds:and}.",
     "range.within-all": (
         "In this range {bounds:and}, so {body} hits {walls:and} between their ends too."
