@@ -109,6 +109,18 @@ P hits BC: e = e
 find angle(velocity(P), BC)
 """
 
+SQUARE = """
+wall AB: along i
+wall BC: along 120°
+sphere P: velocity 6 at 60° to AB
+P hits AB: e = 1/3
+part a
+show velocity(P) perpendicular to BC
+part b
+P hits BC: e = 1/2
+find speed(P)
+"""
+
 
 def test_a_given_angle_to_a_wall_is_one_with_the_next_wall() -> None:
     said = " ".join(str(explain(solve(parse(GIVEN)), check=True)).split())
@@ -117,6 +129,13 @@ def test_a_given_angle_to_a_wall_is_one_with_the_next_wall() -> None:
         "angle between 𝐯₁ and BC = 60° − 30° = 30°"
     ) in said
     assert "P moves at 30° to BC." in said
+    assert "𝐧" not in said
+
+
+def test_a_wall_that_is_struck_at_right_angles_needs_no_unit_vector() -> None:
+    said = " ".join(str(explain(solve(parse(SQUARE)), check=True)).split())
+    assert "component of 𝐯₁ towards BC = 2√3" in said
+    assert "component of 𝐯₂ away from BC = ½ × 2√3 = √3" in said
     assert "𝐧" not in said
 
 

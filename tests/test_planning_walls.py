@@ -82,7 +82,7 @@ find speed(P) in terms of u, e, alpha
 """,
         (
             "P strikes OB at right angles, so its component before the impact is its speed:",
-            "𝐯₁ · 𝐧 = u√(cos²α + e² sin²α)",
+            "component of 𝐯₁ towards OB = u√(cos²α + e² sin²α)",
             "speed of P after the second impact = eu√(cos²α + e² sin²α)",
         ),
         ("sin θ =", "scalar product is zero:\n     𝐯₁ · 𝐭"),

@@ -257,12 +257,15 @@ class BoldLetters:
         )
 
     def _is_by_vectors(self, line: Line) -> bool:
-        """Whether a vector is put together, or resolved otherwise than by its angle with a line."""
+        """Whether a vector is put together, or resolved otherwise than by its angle with a line.
+
+        Who strikes a wall at right angles has its speed as the component, and nothing is resolved.
+        """
         if line.move.record != "component":
             return line.move.record == "assemble"
         above = [self.derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
         return not any(
-            is_quantity(own.relation.only[0].left, "angle")
+            is_quantity(own.relation.only[0].left, "angle", "speed")
             for own in above
             if own is not None
             and isinstance(own.relation, Relation)
