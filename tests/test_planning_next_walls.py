@@ -139,6 +139,23 @@ def test_a_wall_that_is_struck_at_right_angles_needs_no_unit_vector() -> None:
     assert "𝐧" not in said
 
 
+def test_a_vector_of_an_earlier_part_is_resolved_at_the_next_wall() -> None:
+    problem = parse("""
+wall W: along 3i + 4j
+wall V: along -4i + 3j
+sphere P: mass 2, velocity 10i + 5j
+part a
+P hits W: e = 2/5
+find velocity(P)
+part b
+P hits V: e = 1/2
+find velocity(P)
+""")
+    said = " ".join(str(explain(solve(problem), check=True)).split())
+    assert "𝐯₁ · 𝐧₂ = (3 × (22/5) + 4 × (46/5))/5 = 10" in said
+    assert "𝐭₁" not in said
+
+
 def test_a_wall_with_e_1_keeps_speed_and_angle() -> None:
     said = lines_of("from the other side")
     assert "speed(P, 1) = u" in said

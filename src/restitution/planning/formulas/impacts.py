@@ -132,12 +132,15 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         blow = blown(scene, body, last) if vector is None else vector
         return _of_vector(scene, kind, body, frame, blow, last)
     own = scene.frame(last)
+    both_slant = own.is_slanted and frame.is_slanted
+    in_numbers = vector is not None and both_slant and all(x.is_number for x in vector.value)
     for own_kind in COMPONENTS:
         sign = _parallel(scene, own.direction(own_kind), direction)
         if sign:
-            source = settled(scene, own.component(own_kind, body, last)) or after(
-                scene, own_kind, body, own
-            )
+            source = settled(scene, own.component(own_kind, body, last))
+            if source is None and in_numbers:
+                break  # the vector is resolved: nothing of the last impact is worked out for it
+            source = source or after(scene, own_kind, body, own)
             axis = source.axis
             if own.component(own_kind, body, last) != tree:
                 axis = together(axis, own.unit_free, frame.unit_free)
@@ -147,12 +150,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return turned
     if vector is not None and not (direction.x and direction.y):
         return _put(scene, Source(vector.value.dot(direction), vector.refs, frame.unit_free))
-    if (
-        vector is not None
-        and own.is_slanted
-        and frame.is_slanted
-        and all(x.is_number for x in vector.value)
-    ):
+    if vector is not None and in_numbers:
         return by_scalar_product(scene, tree, vector, frame, direction, None)
     return _resolved(scene, kind, body, last, frame)
 
