@@ -361,6 +361,23 @@ find range of e
     assert "OX between" not in second
 
 
+def test_ratios_by_a_tangent_with_a_surd_share_one_root() -> None:
+    text = working("""
+wall AB: along i
+wall BC: along 120°
+sphere P: velocity u at alpha to AB
+P hits AB: e = e
+given velocity(P, 1) perpendicular to BC
+part a
+show tan(alpha) = 1/(e sqrt(3))
+part b
+P hits BC: e = e
+find speed(P) in terms of u, e
+""")
+    assert "√3 eu/√(1 + 3e²)" in text or "3e²u²/(1 + 3e²)" in text
+    assert "9e²" not in text
+
+
 def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
     text = working(BALL_TO_BALL)
     told = "B was at rest before the first impact, so it moved off along the line of centres"

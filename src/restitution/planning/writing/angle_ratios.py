@@ -153,7 +153,10 @@ def _over_one_root(
         return {}
     if scene.model.sign(scene.model.in_data(below)) < 0:
         above, below = -above, -below
-    root = sp.sqrt(sp.expand(above**2 + below**2))
+    whole = sp.expand(above**2 + below**2)
+    # √3 and 3e are 1 and √3 e: no number is left in all of the root.
+    shared = sp.sqrt(whole.as_content_primitive()[0])
+    above, below, root = above / shared, below / shared, sp.sqrt(sp.expand(whole / shared**2))
     own = {"sin": above / root, "cos": below / root}
     return {
         kind: own[kind]
