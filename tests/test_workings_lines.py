@@ -361,6 +361,21 @@ find range of e
     assert "OX between" not in second
 
 
+def test_a_letter_that_takes_the_place_of_its_value_is_not_substituted_for() -> None:
+    text = working("""
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given velocity(A) perpendicular to line_of_centres
+part a
+show e = 1/k
+part b
+show energy_lost = 1/2 m u^2 (1 - e) cos^2(alpha)
+""")
+    assert "Since 1/k = e, with e from part (a): kinetic energy lost = ½mu²(1 − e) cos²α" in text
+    assert "Substituting for e" not in text
+
+
 def test_ratios_by_a_tangent_with_a_surd_share_one_root() -> None:
     text = working("""
 wall AB: along i

@@ -186,8 +186,27 @@ class SourceLeads(LinesAround):
             yield say("derived.put-in", letters=letters, equation=equations[0])
         elif equations:
             yield say("derived.add", equations=equations)
+        elif (exchanged := self._sides_exchanged(line)) is not None:
+            yield say("derived.since", facts=(exchanged,))
         elif put:
             yield say("derived.put", letters=letters)
+
+    def _sides_exchanged(self, line: Line) -> lay.Layout | None:
+        """``1/k = e`` from e = 1/k, where a line has e in the place of 1/k; None elsewhere."""
+        cited = [own for own in map(self._cited, line.premises) if own is not None]
+        relations = [own.relation for own in cited if isinstance(own.relation, Relation)]
+        if len(relations) != 2 or isinstance(line.relation, Meaning):
+            return None
+        for value, other in (relations, relations[::-1]):
+            match value:
+                case Relation(((Link(Letter() as letter, "=", right),),)) if letters(right):
+                    before, after = (
+                        {node for tree in trees_of(own) for node in walk(tree)}
+                        for own in (other, line.relation)
+                    )
+                    if letter in after - before:
+                        return self._naming.relation(Relation(((Link(right, "=", letter),),)))
+        return None
 
     def _letters_put(self, source: Source, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         """The letters that a line puts in, by name, without those of which its facts speak."""
