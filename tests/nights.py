@@ -73,7 +73,7 @@ LONG_TESTS = Path(__file__).parent / "long_tests.txt"
 
 LONG = frozenset(LONG_TESTS.read_text(encoding="utf-8").splitlines())
 LONG_SECONDS = 0.35
-LONG_ONE_IN = 15
+LONG_ONE_IN = 25
 """Of the tests that take long, one in so many stands in the normal run."""
 
 

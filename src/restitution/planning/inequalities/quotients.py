@@ -51,7 +51,7 @@ def write_quotient(
     if end.sign[0] != "<" or stated not in ("=", "<="):
         return None
     parts = _parts_of(claims, symbol, value)
-    if parts is None:
+    if parts is None or any(map(_is_negative, (parts.a, parts.b))):
         return None
     known_letters = {*roles(scene.problem), symbol.name}
     names = sorted(s.name for s in value.free_symbols if s.name in known_letters)
@@ -178,6 +178,12 @@ def _write_by_name(
     above = line if divided is None else divided
     quotient = judge.write((Move("put"),), [above, let, *known], by_name)
     return None if quotient is None else (quotient, name, let)
+
+
+def _is_negative(value: sp.Expr) -> bool:
+    """Whether a coefficient is below zero where its letters are above it: it has no root."""
+    positive = {x: sp.Symbol(x.name, positive=True) for x in value.free_symbols}
+    return bool(sp.sympify(value, strict=True).xreplace(positive).is_negative)
 
 
 def _write_square(
