@@ -93,7 +93,7 @@ find angle(velocity(P), W)
     planned(text)
     working = re.sub(r"\s+", " ", to_text(explain(solve(parse(text)))))
     assert "= ½ tan α" in working
-    assert "Since tan α = ¾: tan β = ⅜" in working
+    assert "Since tan α = ¾: tan β = ½ × ¾ = ⅜" in working
     assert "sin α = ⅗" not in working
 
 

@@ -181,7 +181,7 @@ def test_a_value_of_another_part_does_not_stand_against_a_condition() -> None:
     explanation = explain(solve(parse(text)), check=True)
     assert explanation.followed
     words = " ".join(to_text(explanation).split())
-    assert "It is also given that tan²α > e, which is not needed here." in words
+    assert "= (1 + e) tan α/(tan²α − e) (as required)" in words and "e = ⅓" in words
 
 
 def test_spheres_that_do_not_meet_are_shown_not_to() -> None:

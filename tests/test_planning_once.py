@@ -150,7 +150,7 @@ def test_vectors_that_are_compared_have_no_numbers() -> None:
         )
     )
     assert "Comparing the two vectors" in text
-    assert "(2)" not in text
+    assert "𝐯_A = ⅔𝐯_B" in text and "(3)" not in text
 
 
 def test_no_root_is_taken_of_a_speed_of_which_only_the_square_is_used() -> None:

@@ -282,7 +282,7 @@ find impulse, velocity(P)
 
 READINGS = [
     (SHOWN, "So the impulse on B is in the direction of 𝐢 + 𝐣, as required."),
-    (SHOWN, "magnitude of the impulse = 3m(√2 u + √2 u/2) = 9√2 mu/2"),
+    (SHOWN, "magnitude of the impulse = (9mu/2)√(1² + 1²) = 9√2 mu/2"),
     (OPPOSITE, "Comparing the two vectors: 𝐯_A = −2𝐯_B"),
     (UNKNOWN, "Let 𝐧₂ = (𝐢 + 2𝐣)/√5 be a unit vector perpendicular to X,"),
     (SLANTED, "component of 𝐯₁ towards W = (u/2) sin 75° − (√3 u/5) cos 75°"),
@@ -292,7 +292,7 @@ READINGS = [
     (TWO_STORIES, "v cos 45° = mw + mx"),
     (UPRIGHT, "which holds if e = 1 too, where δ = 45°"),
     (UPRIGHT_OF_MASSES, "= 90° if 2m = eM"),
-    (UPRIGHT_AT_AN_END, "which holds if e = ¼ too, where δ = 45°"),
+    (UPRIGHT_AT_AN_END, "δ ≤ 45°, as 0° ≤ β ≤ 90° (as required)"),
     (ANY_ANGLE, ", for f ≠ 0"),
     (WHOLE_COMPONENT, " 3 = 6e "),
     (ASKED_THOUGH_GIVEN, "It is given that k = 3"),
@@ -313,7 +313,7 @@ READINGS = [
     (VECTORS, "Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact."),
     (VECTORS, "Let 𝐧 = (3𝐢 + 4𝐣)/5 be the unit vector along the line of centres"),
     (VECTORS, "𝐮_A · 𝐧 = (3 × 7 + 4)/5 = 5 m s⁻¹"),
-    (SPEED, "component of A in the direction of 𝐭 stays −√3 u."),
+    (SPEED, "component of A stays −2u sin 60° = −√3 u."),
     (WALLS, "Let 𝐯₁ be the velocity of P after the first impact."),
     (WALLS, "Let 𝐯₂ be the velocity of P after the second impact."),
     (SLANTING, "tan β = √5/√5 = 1"),

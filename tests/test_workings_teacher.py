@@ -883,7 +883,7 @@ def test_a_ratio_of_components_is_shown_as_the_spheres_approach() -> None:
         show v^2/u^2 = (3e - 1)/4
         """)
     assert "not written out" not in own
-    assert "v² = (3e − 1)u²/4" in own
+    assert "v²/u² = (3e − 1)/4" in own and "(as required)" in own
 
 
 def test_a_velocity_along_the_line_follows_its_component_at_every_impact() -> None:

@@ -31,14 +31,13 @@ def meeting_of(naming: Naming, fact: Fact) -> Meets | None:
     """The meeting of which a given fact tells; None where it tells of something else."""
     for _, step in naming.problem.steps():
         if isinstance(step, Given) and step.place == fact.place:
-            facts = [
-                other
-                for other in naming.derivation.facts
-                if other.kind in ("given", "range") and other.place == fact.place
-            ]
-            if fact in facts and len(facts) == len(step.relations):
-                relation = step.relations[facts.index(fact)]
-                return relation if isinstance(relation, Meets) else None
+            beside = [own for own in naming.derivation.facts if own.place == fact.place]
+            # A bound of a letter is a fact of its range, and so may be more than is given.
+            for kinds in (("given",), ("given", "range")):
+                facts = [own for own in beside if own.kind in kinds]
+                if fact in facts and len(facts) == len(step.relations):
+                    relation = step.relations[facts.index(fact)]
+                    return relation if isinstance(relation, Meets) else None
     return None
 
 
