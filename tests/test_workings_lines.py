@@ -361,6 +361,17 @@ find range of e
     assert "OX between" not in second
 
 
+def test_a_share_of_the_energy_in_numbers_is_multiplied_out() -> None:
+    text = working("""
+wall W: along i
+sphere P: velocity 10 at alpha to W
+P hits W
+given tan(alpha) = 4/3, energy_lost = 40% of energy(0)
+find e
+""")
+    assert "8² − (8e)² = 0.4 × 10² DM1 A1 64(1 − e²) = 40 e² = ⅜" in text
+
+
 def test_a_letter_that_takes_the_place_of_its_value_is_not_substituted_for() -> None:
     text = working("""
 sphere A: mass m, velocity u at alpha

@@ -64,7 +64,12 @@ def _of_a_loss(scene: Scene, equation: GivenEquation, lost: Quantity) -> int | N
     if not fraction.is_Mul or len(sums) != 1:
         return line
     # What is common to the squares is taken out before anything is divided by it.
-    share = chain(tree_of(fraction), (pair[1], None))
+    worth = scene.scalar(right)
+    if worth.is_number:
+        # Numbers are multiplied out: 64(1 - e^2) = 40 is not divided by 100.
+        share = chain(tree_of(fraction * scene.scalar(whole)), (tree_of(worth), None))
+    else:
+        share = chain(tree_of(fraction), (pair[1], None))
     return (
         scene.judge.write((Move("rearrange"),), (line, *background(scene, letters(right))), share)
         or line
