@@ -89,9 +89,9 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
 def _is_by_angles(sentence: Sentence) -> bool:
     """Whether a condition comes of acute angles alone."""
     reasons = dict(sentence.slots).get("reasons", ())
-    return sentence.id == "answer.only-as" and all(
-        isinstance(reason, Sentence) and reason.id == "derived.acute" for reason in reasons
-    )
+    if sentence.id != "answer.only-as" or not isinstance(reasons, tuple):
+        return False
+    return all(isinstance(reason, Sentence) and reason.id == "derived.acute" for reason in reasons)
 
 
 def _is_divided_by(derivation: Derivation, last: int, answer: Answer) -> bool:

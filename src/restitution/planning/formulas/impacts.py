@@ -137,10 +137,10 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     for own_kind in COMPONENTS:
         sign = _parallel(scene, own.direction(own_kind), direction)
         if sign:
-            source = settled(scene, own.component(own_kind, body, last))
-            if source is None and in_numbers:
+            standing = settled(scene, own.component(own_kind, body, last))
+            if standing is None and in_numbers:
                 break  # the vector is resolved: nothing of the last impact is worked out for it
-            source = source or after(scene, own_kind, body, own)
+            source = standing or after(scene, own_kind, body, own)
             axis = source.axis
             if own.component(own_kind, body, last) != tree:
                 axis = together(axis, own.unit_free, frame.unit_free)
