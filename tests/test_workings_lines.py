@@ -383,6 +383,7 @@ show e = 1/k
 part b
 show energy_lost = 1/2 m u^2 (1 - e) cos^2(alpha)
 """)
+    assert "= (k − 1)mu² cos²α/(2k) = ½mu²(1 − 1/k) cos²α M1" in text
     assert "Since 1/k = e, with e from part (a): kinetic energy lost = ½mu²(1 − e) cos²α" in text
     assert "Substituting for e" not in text
 

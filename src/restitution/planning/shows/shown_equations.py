@@ -64,7 +64,11 @@ from restitution.planning.shows.straight import (
     without_a_detour,
 )
 from restitution.planning.shows.sums_expanded import with_sums_expanded
-from restitution.planning.shows.values_put_in import by_numbers, with_values
+from restitution.planning.shows.values_put_in import (
+    by_numbers,
+    by_values_written_out,
+    with_values,
+)
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
@@ -386,7 +390,10 @@ class ShownEquation(ShownAngles):
         known = (self.scene.desk.known(tree) for tree in (*trees, *ratios))
         refs = [ref for own in known if own is not None for ref in own.refs]
         refs += self._between_letters()
-        return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
+        if not refs:
+            return None
+        line = by_values_written_out(self.scene, self.judge, pool, refs, self.link)
+        return line or self.judge.write((Move("put"),), [*pool, *refs], self.relation)
 
     def _by_double_angle(self, pool: Sequence[Ref]) -> int | None:
         """The squares of the sine and of the cosine of an angle, by the cosine of twice that."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, MoveId, Relation
+from restitution.explaining.lines.derivation import Link, Move, MoveId, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -23,6 +25,8 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import alike, square, swept, tree_of
+from restitution.planning.writing.judging import Judge
+from restitution.planning.writing.scene import Scene
 
 _BY: tuple[MoveId, ...] = ("rearrange", "identity")
 
@@ -123,4 +127,34 @@ def by_numbers(
             number = last(put)
     if number is None:
         claims.worths.back(mark)
+    return number
+
+
+def by_values_written_out(
+    scene: Scene, judge: Judge, pool: Sequence[Ref], refs: Sequence[Ref], link: Link
+) -> int | None:
+    """A printed form with e by a line that has 1/k there, if e = 1/k, at the end of the last line.
+
+    None of all else.
+    """
+    lines = [ref for ref in pool if isinstance(ref, int)]
+    if lines != [len(scene.desk.lines)] or not isinstance(link.left, Quantity):
+        return None
+    own, last = scene.desk.line(lines[0]), scene.desk.last_link(lines[0])
+    values: dict[Expression, Expression] = {}
+    for name in letters(link.right) - letters(last.right):
+        known = scene.desk.known(Letter(name))
+        if known is not None and isinstance(known.value, sp.Expr) and known.value.free_symbols:
+            values[Letter(name)] = tree_of(known.value)
+    between = swept(exchanged(link.right, values))
+    if not values or between == last.right or last.left != link.left:
+        return None
+    links = (*scene.desk.relation(own.number).only, Link(last.right, "=", between, "rearrange"))
+    relation = Relation((links,))
+    if not judge.follows(own.move, own.premises, relation):
+        return None
+    scene.desk.rewrite(replace(own, relation=relation))
+    number = judge.write((Move("put"),), [*pool, *refs], Relation(((link,),)))
+    if number is None:
+        scene.desk.rewrite(own)
     return number
