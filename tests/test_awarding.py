@@ -686,6 +686,21 @@ find distance(A, B, at 5), distance(A, B, at t)
 a: 6 distance(A, B, at 5) = 5 sqrt(10)
 b: 7 distance(A, B, at t) = sqrt(10) t
 """,
+    "from-a-wall": """
+wall W: along 20°
+sphere P: velocity 9 at -15°
+P hits W: e = 2/5
+find direction(P)
+---
+1 a | law unchanged 1 P | velocity P, axis 1 | s(P, 1) = 9cos(35°)
+2 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | c(P, 1) = -2/5 (9sin(35°))
+3 a | let | | let beta = angle(velocity(P, 1), W)
+4 a | define tan 1 P | 2, 1, 3 | tan(beta) = 2/5 tan(35°)
+5 a | inverse | 0° <= beta <= 90°, 4 | beta = arctan(2/5 tan(35°))
+6 a | define difference 1 P | wall W, 3, 5 | direction(P, 1) = 20° + arctan(2/5 tan(35°))
+7 a | value | 6 | direction(P, 1) ≈ 35.6°
+a: 7 direction(P, 1) ≈ 35.6°
+""",
     "same-angle": """
 sphere A: mass m, velocity 4 at alpha
 sphere B: mass m, at rest
@@ -770,6 +785,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("product-read-off", "a-component", 6, "A1ft", "A1ft", "A1ft"),
     ("direction-read-off", "straight-back", 5, "B1ft", "A1ft", "B1ft"),
     ("direction-of-the-data", "same-angle", 12, "B1", "B1", "B1"),
+    ("direction-by-a-difference", "from-a-wall", 6, "M1", "M1", "M1"),
     ("same-angle", "same-angle", 10, "", "", ""),
     ("angle-seen", "exchanged", 6, "A1", "A1", "A1"),
     ("angle-by-a-difference", "equal-elastic", 10, "M1 A1ft", "M1 A1ft", "M1 A1ft"),

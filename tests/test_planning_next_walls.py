@@ -156,6 +156,36 @@ find velocity(P)
     assert "𝐭₁" not in said
 
 
+FROM_A_WALL = """
+wall W: along {}
+sphere P: velocity 9 at {}
+P hits W: e = 0.4
+find direction(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("wall", "path", "lines"),
+    [
+        ("20°", "-15°", ("W is at 20° to 𝐢.", "≈ 20° + 15.647° ≈ 35.6°")),
+        ("20°", "155°", ("P moves the opposite way along it.", "= arctan 0.4 − 160° ≈ −138°")),
+        ("20°", "65°", ("W is at 20° to 𝐢.", "= 20° − arctan 0.4 ≈ −1.80°")),
+        ("150°", "-75°", ("P moves the opposite way along it.", "= arctan 0.4 − 30° ≈ −8.20°")),
+    ],
+)
+def test_the_direction_from_a_wall_in_degrees_is_by_its_own(
+    wall: str, path: str, lines: tuple[str, ...]
+) -> None:
+    problem = solve(parse(FROM_A_WALL.format(wall, path)))
+    text = str(explain(problem, check=True))
+    for mark in (" M1", " A1", " B1"):
+        text = text.replace(mark, "")
+    said = " ".join(text.split())
+    for line in lines:
+        assert line in said
+    assert "𝐣" not in said
+
+
 def test_a_wall_with_e_1_keeps_speed_and_angle() -> None:
     said = lines_of("from the other side")
     assert "speed(P, 1) = u" in said

@@ -163,6 +163,7 @@ RULES: tuple[Rule, ...] = (
     _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
     _rule("direction-read-off", ("define",), "", ("parallel",), ("a-direction",)),
     _rule("direction-of-the-data", ("define",), "", ("difference",), ("a-direction", "at-once")),
+    _rule("direction-by-a-difference", ("define",), "M", ("difference",), ("a-direction",)),
     _rule("same-angle", ("define",), "", ("difference",), ("an-angle-for-another",)),
     _rule("angle-seen", ("define",), "", ("parallel", "perpendicular"), ("an-angle-to-a-line",)),
     _rule("condition", ("define",), "M U", _CLOSING, m4="M A"),

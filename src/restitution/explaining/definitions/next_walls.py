@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Polar,
     Quantity,
@@ -45,6 +46,9 @@ def next_walls(step: Step, event: Event | None) -> Iterator[Link]:
     senses = [step.sense_on_paper(late, Polar(_ONE, turned), n) for n in (0, 1)]
     if senses[0] is None or senses[1] is None:
         return
+    for direction in from_a_wall(turned, angle, senses[0], senses[1]):
+        if _is_up_to_a_straight_angle(step, direction, {angle: size}):
+            yield Link(Quantity("direction", (body,), event.number), "=", direction)
     sense = senses[0] * senses[1]
     for other in _other_walls(step, wall):
         there = _turn_of(step, other)
@@ -99,6 +103,24 @@ def made_of(
             yield from _with(first, second, turns, angle, sign)
 
 
+def from_a_wall(wall: Expression, angle: Quantity, onward: int, left: int) -> Iterator[Expression]:
+    """The direction of a path, from **i**, that makes an angle with a wall in degrees.
+
+    The path leads the same way along the wall as its direction or not, and to the left of that or
+    to its right.
+    """
+    if not isinstance(wall, Degrees):
+        return
+    for turn in (0,) if onward == 1 else (180, -180):
+        base = wall.value + turn
+        if base > 0:
+            yield Binary("+" if onward == left else "-", Degrees(base), angle)
+        elif base < 0 and onward == left:
+            yield Binary("-", angle, Degrees(-base))
+        elif base < 0:
+            yield Binary("-", Negate(Degrees(-base)), angle)
+
+
 def _with(
     first: Expression, second: Expression, turns: int, angle: Quantity, sign: int
 ) -> Iterator[Expression]:
@@ -133,4 +155,14 @@ def _is_up_to_a_right_angle(
     return all(map(oracle.proves, ends))
 
 
-__all__ = ["made_of", "next_walls"]
+def _is_up_to_a_straight_angle(
+    step: Step, tree: Expression, values: dict[Expression, Expression]
+) -> bool:
+    """Whether an angle is one of a direction, with values for what is in it."""
+    size = step.world.expression(step.world.scalar(exchanged(tree, values)), step.setting.roles)
+    oracle = Oracle(step.setting.roles, step.given_inequalities)
+    ends = compared(size + sp.pi, ">", 0), compared(sp.pi - size, ">=", 0)
+    return all(map(oracle.proves, ends))
+
+
+__all__ = ["from_a_wall", "made_of", "next_walls"]

@@ -38,6 +38,7 @@ from restitution.planning.angles.directions import (
     direction_ratio,
     in_degrees_of,
 )
+from restitution.planning.angles.directions_from_walls import direction_from_a_wall
 from restitution.planning.angles.from_axes import from_an_axis
 from restitution.planning.angles.kept_tangents import multiple_of_a_tangent
 from restitution.planning.angles.letters_put import ratio_of_an_answer, with_letters_put
@@ -147,6 +148,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     line = None
     if asked.kind == "direction":
         line = direction_of_data(scene, asked) or along_the_centres(scene, asked)
+        line = line or direction_from_a_wall(scene, asked, angle_line)
         line = line or along_an_axis(scene, asked)
     if line is None:
         line = write_right_angle_of_axes(scene, asked) or angle_at_sight(scene, asked)

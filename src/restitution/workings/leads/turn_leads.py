@@ -376,6 +376,8 @@ class TurnLeads(LinesAround):
         match angle:
             case Quantity("angle", (Quantity("velocity"), Name(wall))):
                 pass
+            case Quantity("direction"):
+                return self._from_a_wall(line, *event.bodies)
             case _:
                 return None
         body, own = event.bodies
@@ -387,9 +389,27 @@ class TurnLeads(LinesAround):
             return say("next-wall.angle", next=wall, wall=own)
         return say("next-wall.between", next=wall, wall=own, angle=self._naming.layout(between))
 
+    def _from_a_wall(self, line: Line, body: str, wall: str) -> Sentence | None:
+        """At which angle the wall is from which a direction is worked out; None without one."""
+        turn = self._turn_of_wall(wall)
+        if turn is None:
+            return None
+        slots = {"angle": self._naming.layout(turn), "axis": self._naming.layout(Unit("i"))}
+        if any(turn in walk(tree) for tree in trees_of(line.relation)):
+            return say("from-wall.direction", wall=wall, **slots)
+        return say("from-wall.direction-back", wall=wall, body=body, **slots)
+
+    def _turn_of_wall(self, name: str) -> Expression | None:
+        """The angle from **i** at which a wall is, where that is told."""
+        wall = self._derivation.fact(" ".join(("wall", name)))
+        match None if wall is None else wall.relation.only[-1].right:
+            case Unit(axis):
+                return RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0))
+        return turn_of_line(wall)
+
     def _between_walls(self, line: Line, *walls: str) -> Degrees | None:
         """The angle at which two walls meet, or its rest of 180°, as a line has it."""
-        here, there = (_turn_of_wall(self._derivation.fact(f"wall {wall}")) for wall in walls)
+        here, there = map(self._turn_of_wall, walls)
         if not (isinstance(here, Degrees) and isinstance(there, Degrees)):
             return None
         turn = (here.value - there.value) % STRAIGHT_ANGLE.value
@@ -562,14 +582,6 @@ def _of_differences(base: Line | Fact, name: str) -> str:
 
 def _kind_of(angle: Expression) -> str:
     return angle.kind if isinstance(angle, Quantity) else ""
-
-
-def _turn_of_wall(wall: Fact | None) -> Expression | None:
-    """The angle from **i** at which a wall is, where that is told."""
-    match None if wall is None else wall.relation.only[-1].right:
-        case Unit(axis):
-            return RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0))
-    return turn_of_line(wall)
 
 
 def _form_of(angle: Expression) -> str:

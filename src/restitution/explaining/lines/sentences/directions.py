@@ -114,6 +114,11 @@ SENTENCES: Mapping[str, str] = {
     "next-wall.angle": (
         "The angle between the path and {next}, from that between the path and {wall}:"
     ),
+    "from-wall.direction": "{wall} is at {angle} to {axis}. Direction of motion:",
+    "from-wall.direction-back": (
+        "{wall} is at {angle} to {axis}, and {body} moves the opposite way along it. Direction of "
+        "motion:"
+    ),
     "next-wall.between": (
         "{wall} and {next} meet at {angle}. The angle between the path and {next}:"
     ),
