@@ -66,13 +66,22 @@ def _numbers_of_terms(x: sp.Expr) -> dict[sp.Expr, sp.Expr]:
 
 
 def _is_no_quotient(x: sp.Expr) -> bool:
-    """Whether bars, a sense, an angle or a root in a root of numbers keeps SymPy's form of it."""
+    """Whether bars, a sense, an angle or a root keeps SymPy's form of it.
+
+    That is a root in a root of numbers, and one of a quotient: √P and √(1/P) are strangers else.
+    """
     if x.has(sp.sign, sp.atan, sp.atan2, sp.Abs):
         return True
+    roots = (node.base for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
     return any(
-        not node.exp.is_Integer and not node.base.is_Rational and not node.base.free_symbols
-        for node in x.atoms(sp.Pow)
+        not base.is_Rational and (not base.free_symbols or _is_of_a_quotient(base))
+        for base in roots
     )
+
+
+def _is_of_a_quotient(base: sp.Expr) -> bool:
+    """Whether letters stand below a line in what is below a root."""
+    return any(node.exp.is_negative and node.base.free_symbols for node in base.atoms(sp.Pow))
 
 
 def _reduced(x: sp.Expr) -> sp.Expr:
