@@ -316,7 +316,8 @@ def test_a_multiple_of_a_velocity_told_by_an_angle_has_its_components() -> None:
         "wall AB: along i\nwall BC: along j\nsphere S: mass 3m, velocity V at theta to AB\n"
         "S hits AB: e = k\nS hits BC: e = k\nshow velocity(S) = -k velocity(S, 0)"
     )
-    assert "Let 𝐮 be the velocity of S at the start. 𝐮 = V cos θ 𝐢 − V sin θ 𝐣" in shown
+    assert "Let 𝐮 be the velocity of S at the start." in shown
+    assert "by its components: 𝐮 = V cos θ 𝐢 − V sin θ 𝐣" in shown
     assert "= −k(V cos θ 𝐢 − V sin θ 𝐣)" in shown
 
 
