@@ -394,7 +394,7 @@ def _asked(scene: Scene, run: _Run) -> Listing | None:
     for ask in asks:
         if isinstance(ask, Show):
             entries.append(Entry("", sentence(shown(scene, ask))))
-        elif run.numbered:
+        elif run.numbered and not ask.in_terms_of:
             entries += [_entry([item], in_terms(ask)) for item in groups(scene, ask)]
         else:
             parts = _sentences(groups(scene, ask))

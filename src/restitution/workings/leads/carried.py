@@ -38,6 +38,12 @@ _PUTTING: frozenset[SentenceId] = frozenset(
 _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "derived-between.title-of",
     "derived-between.title-turned",
+    "flight.add",
+    "flight.subtract",
+    "made.fraction-lost",
+    "made.ratio",
+    "next-wall.angle",
+    "next-wall.between",
     "derived.add",
     "derived.by-from",
     "derived.combine",

@@ -48,7 +48,9 @@ def is_turned_along(naming: Naming, line: Line) -> bool:
     event = naming.event_of_axis(axis)
     if event is None or not event.wall or not naming.bold.is_read_off(event.number):
         return False
-    return all(isinstance(link.right, Negate) for link in line.relation.only)
+    return all(
+        isinstance(link.right, Negate) or _opposite(link) is not None for link in line.relation.only
+    )
 
 
 def turned_value(naming: Naming, links: Sequence[Link], side: lay.Layout) -> lay.Layout:

@@ -16,7 +16,7 @@ SENTENCES: Mapping[str, str] = {
         "− its square after)."
     ),
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
-    "energy-ratio.title": "Ratio of the kinetic energies, in which half the mass cancels",
+    "energy-ratio.title": "Kinetic energies, in which half the mass cancels",
     "energy-ratio.why": (
         "The kinetic energy of one body is half its mass times the square of its speed. In the "
         "ratio of two of its energies half the mass cancels, and the squares of its speeds are "
