@@ -524,12 +524,12 @@ def test_a_coordinate_follows_from_his_own_time() -> None:
     assert [line["verdict"] for line in marking.json()["lines"]] == ["false", "follows", "follows"]
 
 
-DEFLECTED = """wall W: along i
+DEFLECTED_AT_A_WALL = """wall W: along i
 sphere P: velocity u at alpha to W
 P hits W: e = 1/3
 given tan(deflection(P)) = 2
 find alpha"""
-TURNED = """sphere A: mass 3, velocity 4i - 2j
+DEFLECTED = """sphere A: mass 3, velocity 4i - 2j
 sphere B: mass 1, velocity -4i + 3j
 A hits B: along i, e = 1/4
 part a
@@ -539,12 +539,12 @@ find deflection(B)"""
 
 
 def test_an_angle_that_is_asked_does_not_follow_from_its_cosine() -> None:
-    own = states(TURNED, "b", "cosθ = (14 + 9)/(5 x 4.61) = 0.998", "θ = 3.8")
+    own = states(DEFLECTED, "b", "cosθ = (14 + 9)/(5 x 4.61) = 0.998", "θ = 3.8")
     assert own == ["M1 angle +", "A1ft angle -", "A1ft answer -"]
 
 
 def test_the_difference_of_angles_is_no_deflection_at_a_wall() -> None:
-    solution = restitution.solve(restitution.parse(DEFLECTED))
+    solution = restitution.solve(restitution.parse(DEFLECTED_AT_A_WALL))
     lines = ["tan b = t/3", "tan(α - b) = (t - t/3)/(1 + t²/3) = 2"]
     letters = {"t": "tan(alpha)", "b": "angle(velocity(P), W)"}
     found = restitution.mark(solution, lines, None, letters).json()["lines"][1]

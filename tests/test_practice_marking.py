@@ -82,7 +82,7 @@ BY_HAND = [
     (EQUAL, None, "+++++++++-", "along; apart; v and w; w² = v² - u² sin² α"),
     (EQUAL, None, "-+++++----", "along; apart; 6v = u cos α; v = 1/3 u cos α"),
     # Of two angles, a line earns the method of its own, with what it cannot be had without.
-    (TURNED, None, "++-+--", "tan b = 5/36; b = 7.91; deflection = 7.91"),
+    (TURNED, None, "++++--", "tan b = 5/36; b = 7.91; deflection = 7.91"),
     (TURNED, None, "--+---", "tan a = 5/12; a = 22.6; deflection = 22.6"),
 ]  # fmt: skip
 IN_FULL = {

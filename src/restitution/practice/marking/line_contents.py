@@ -37,6 +37,7 @@ from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.problem import Impact
 from restitution.records import dataclass
+from restitution.vector import Vector
 
 _ROUNDED = 0.006
 """What a student's own rounding may move a value by."""
@@ -223,16 +224,14 @@ class LineContents(Sides):
 
     def _is_nearly(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
         """Whether a side has the size of a quantity, but for the student's rounding."""
+        places = ((side, (self._meanings(line), line.line.scope)), (quantity, ()))
         try:
-            own, true = (
-                np.abs(spread_of(self._base, self._base.value(tree, *where)))
-                for tree, where in (
-                    (side, (self._meanings(line), line.line.scope)),
-                    (quantity, ()),
-                )
-            )
+            values = [self._base.value(tree, *where) for tree, where in places]
         except (RestitutionError, UnvaluedError, TypeError):
             return False
+        if any(isinstance(value, Vector) for value in values):
+            return False
+        own, true = (np.abs(spread_of(self._base, value)) for value in values)
         return bool(np.all(true > 0) and np.all(np.abs(own - true) <= _ROUNDED * true))
 
     def is_sum_of_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
