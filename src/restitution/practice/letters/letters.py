@@ -61,7 +61,12 @@ from restitution.practice.letters.surroundings import (
 )
 from restitution.practice.letters.trial import Frame
 from restitution.practice.letters.wordings import words_of
-from restitution.practice.reading.phrase_names import is_phrase, is_relative, is_vague
+from restitution.practice.reading.phrase_names import (
+    is_phrase,
+    is_relative,
+    is_vague,
+    names_distance,
+)
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds
@@ -240,6 +245,8 @@ class _Search(LettersOfLines):
             other = () if is_relative(name) else elsewhen(name, own, stages)
             every = [*map(self._in_its_sense, of_trees(own)), *other]
             return [*every, *scaled(every, self.directions)]
+        if is_phrase(name) and names_distance(name):
+            return []
         dotted = name in self.dotted
         usage = Usage(name, name in self.angular, scope, name in self.defined, dotted)
         if dotted and is_direction(name):

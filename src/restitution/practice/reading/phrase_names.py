@@ -82,6 +82,11 @@ def names_time(name: str) -> bool:
     return any(HEADS.get(word) == "time" for word in name.casefold().split())
 
 
+def names_distance(name: str) -> bool:
+    """Whether a phrase names a distance: of what, it need not say, and it is no coordinate."""
+    return any(HEADS.get(word) == "distance" for word in name.casefold().split())
+
+
 def names_way_back(name: str) -> bool:
     """Whether a phrase names the time of the way back."""
     return names_time(name) and "back" in name.casefold().split()
