@@ -132,7 +132,7 @@ SAYS = {
             "P hits BC: e = 1/2\nfind speed(P)"
         ),
         (
-            "With β from part (a): angle between 𝐯₁ and BC = 75° − 30° = 45°",
+            "with β from part (a): angle between 𝐯₁ and BC = 75° − 30° = 45°",
             "(u/2)/cos 30° = √3 u/3",
             "(√3 u/3) sin 45° = √6 u/6",
         ),
