@@ -55,6 +55,7 @@ from restitution.workings.naming.bold_letters import Used
 from restitution.workings.naming.data_angles import DataAngles
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
+from restitution.workings.naming.figures import degrees_of, is_inverse
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
@@ -69,6 +70,8 @@ from restitution.workings.rows import Rows
 if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution
 
+_FIGURES = 3  # of an answer
+_LONG_ANGLE = 40  # nodes of an angle that nobody would write exactly
 _PERCENTAGES: Mapping[SentenceId, SentenceId] = {
     "made.fraction-lost": "made.percentage-lost",
     "fraction-lost.title": "fraction-lost.percentage",
@@ -407,7 +410,7 @@ class _Writer:
             items = dict.fromkeys((note.item, *(e.item for e in others), *self.notes.alike(note)))
             label = self.ends.label_of(*items)
             if note.kind in ("unwritten", "standing") and note.claim is not None:
-                line = Line(0, note.item, Move("answer"), (), note.claim)
+                line = Line(0, note.item, Move("answer"), (), _in_degrees(note.claim))
                 *rows, last = self.rows.of(line, (), True)
                 shown = isinstance(self.ends.item(note.item), Show)
                 asides = (*last.asides, *REQUIRED) if shown else last.asides
@@ -593,6 +596,15 @@ def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
         )
         same = label == step.label and all(map(is_, rows, step.rows))
         yield step if same else replace(step, rows=rows, label=label)
+
+
+def _in_degrees(claim: Relation) -> Relation:
+    """An answer whose steps are not written out, in degrees where its ratio is long."""
+    match claim.options:
+        case ((Link(left, "=", right),),) if is_inverse(right) and len(walk(right)) > _LONG_ANGLE:
+            degrees = degrees_of(right, _FIGURES)
+            return claim if degrees is None else Relation(((Link(left, "≈", degrees),),))
+    return claim
 
 
 def _first_under_its_heading(lines: Sequence[Line], index: int) -> Line:
