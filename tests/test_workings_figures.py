@@ -255,7 +255,7 @@ wall X: along 60°
 sphere P: mass m, velocity u at -20°
 P hits W: e = 3/4
 P hits X: e = 1/2
-find direction(P)
+find velocity(P), direction(P)
 """
     assert "𝐯₂ ≈ −0.3428u((√3/2)𝐢" in to_text(explain(solve(parse(text))), 100)
 
