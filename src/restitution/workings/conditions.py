@@ -42,6 +42,7 @@ from restitution.solving.ranges.validity import always_exist
 from restitution.solving.story.letters import roles
 from restitution.workings.excluded_ends import excluded_end
 from restitution.workings.naming.in_force import inequalities
+from restitution.workings.naming.measured import scalar_worth
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -119,11 +120,8 @@ def _is_divided_by(derivation: Derivation, last: int, answer: Answer) -> bool:
 
 def _is_infinite_without(tree: Expression, name: str) -> bool:
     """Whether a value has a divisor that is zero where a letter is."""
-    try:
-        value = in_letters(tree, positive=True)
-    except RestitutionError:
-        return False
-    if not isinstance(value, sp.Expr):
+    value = scalar_worth(tree)
+    if value is None:
         return False
     divisor = sp.fraction(sp.together(value))[1]
     return bool(divisor.subs(sp.Symbol(name, positive=True), 0) == 0)

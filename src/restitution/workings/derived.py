@@ -55,7 +55,7 @@ from restitution.workings.naming.bold_letters import Used
 from restitution.workings.naming.data_angles import DataAngles
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.figures import degrees_of, is_inverse
+from restitution.workings.naming.figures import FIGURES_OF_ANSWERS, degrees_of, is_inverse
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
@@ -70,7 +70,6 @@ from restitution.workings.rows import Rows
 if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution
 
-_FIGURES = 3  # of an answer
 _LONG_ANGLE = 40  # nodes of an angle that nobody would write exactly
 _PERCENTAGES: Mapping[SentenceId, SentenceId] = {
     "made.fraction-lost": "made.percentage-lost",
@@ -602,7 +601,7 @@ def _in_degrees(claim: Relation) -> Relation:
     """An answer whose steps are not written out, in degrees where its ratio is long."""
     match claim.options:
         case ((Link(left, "=", right),),) if is_inverse(right) and len(walk(right)) > _LONG_ANGLE:
-            degrees = degrees_of(right, _FIGURES)
+            degrees = degrees_of(right, FIGURES_OF_ANSWERS)
             return claim if degrees is None else Relation(((Link(left, "≈", degrees),),))
     return claim
 

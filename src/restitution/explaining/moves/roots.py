@@ -190,16 +190,13 @@ def is_rejection(step: Step, relation: Relation) -> bool:
             if not any(is_contradicted(rest, option, link) for link in moving):
                 return False
             continue
-        # Of a number that only a calculator knows its digits are enough, as a rule.
         near = _between_ends(option)
+        if _is_excluded(rest, known, Relation((near or option,))):
+            continue
         if near is not None:
-            if not _excludes(rest, known, near):
-                return False
-            continue
-        oracle = Oracle(rest.roles, (*known, rest.formula(Relation((option,)))))
-        if oracle.possible.answer == "refuted":
-            continue
+            return False  # of a number that only a calculator knows its digits are enough
         # Where two roots are one, what is dropped says what remains.
+        oracle = Oracle(rest.roles, (*known, rest.formula(Relation((option,)))))
         if not oracle.proves(rest.formula(relation)):
             return False
     return bool(moving) or not _is_impossible(rest, relation)
@@ -208,13 +205,12 @@ def is_rejection(step: Step, relation: Relation) -> bool:
 def _is_impossible(rest: Step, relation: Relation) -> bool:
     """Whether what drops some options excludes all that are kept as well: it is no reason then."""
     options = tuple(_between_ends(option) or option for option in relation.options)
-    oracle = Oracle(rest.roles, (*rest.facts, rest.formula(Relation(options))))
-    return oracle.possible.answer == "refuted"
+    return _is_excluded(rest, rest.facts, Relation(options))
 
 
-def _excludes(rest: Step, known: Sequence[Formula], option: tuple[Link, ...]) -> bool:
-    """Whether what is known excludes an option."""
-    oracle = Oracle(rest.roles, (*known, rest.formula(Relation((option,)))))
+def _is_excluded(rest: Step, known: Sequence[Formula], relation: Relation) -> bool:
+    """Whether a relation cannot hold beside what is known."""
+    oracle = Oracle(rest.roles, (*known, rest.formula(relation)))
     return oracle.possible.answer == "refuted"
 
 

@@ -42,12 +42,12 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import product, swept, tree_of
-from restitution.workings.naming.measured import is_measure_of_angle, rounded, worth
+from restitution.workings.naming.measured import is_measure_of_angle, rounded, scalar_worth, worth
 
 # Of a value on the way, so that three are right in the end.
 FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
-_FIGURES_OF_ANSWERS = 3
+FIGURES_OF_ANSWERS = 3
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 _INVERSES = frozenset({"arcsin", "arccos", "arctan"})
@@ -180,7 +180,7 @@ def _ratios_of_numbers(tree: Expression) -> list[Apply]:
 @lru_cache(maxsize=4096)
 def _number_and_letters(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
     """The number and the product of letters of a multiple of letters; None of another value."""
-    value = None if has_quantity(tree) or not letters(tree) else _scalar(tree)
+    value = None if has_quantity(tree) or not letters(tree) else scalar_worth(tree)
     if value is None:
         return None
     value = sp.factor(value)
@@ -297,7 +297,7 @@ class Figures:
 
         None where letters are left in it.
         """
-        value = None if has_quantity(tree) else _scalar(tree)
+        value = None if has_quantity(tree) else scalar_worth(tree)
         if value is None or value.free_symbols:
             return None
         numbers = (figures_of(tree, n) for n in _FIGURES_OF_COSINES)
@@ -470,10 +470,10 @@ def angles_in_figures(tree: Expression) -> Expression:
 
     The tree itself where they lead to another answer.
     """
-    answer = degrees_of(tree, _FIGURES_OF_ANSWERS)
+    answer = degrees_of(tree, FIGURES_OF_ANSWERS)
     for figures in _FIGURES_BEFORE_A_ROUNDING:
         put = swept(rebuilt(tree, partial(_in_degrees, figures=figures)))
-        if degrees_of(put, _FIGURES_OF_ANSWERS) == answer:
+        if degrees_of(put, FIGURES_OF_ANSWERS) == answer:
             return put
     return tree
 
@@ -498,7 +498,7 @@ def _in_degrees(tree: Expression, figures: int) -> Expression:
 
 def degrees_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
     """An angle in degrees to so many figures; None of one that is very small."""
-    value = _scalar(tree)
+    value = scalar_worth(tree)
     number = None if value is None else _fraction(value * 180 / sp.pi, figures)
     if number is None:
         return None
@@ -587,7 +587,7 @@ def _size(tree: Expression) -> _Size | None:
     if letters(tree):
         number, rest = _number_and_letters(tree) or (None, sp.S.One)
     else:
-        number, rest = _scalar(tree), sp.S.One
+        number, rest = scalar_worth(tree), sp.S.One
     size = None if number is None else number.evalf(_FIGURES_THAT_TELL)
     if not isinstance(size, sp.Float):
         return None
@@ -605,15 +605,6 @@ def _with_sign(tree: Expression, is_positive: bool) -> Expression:
     return tree if is_positive else swept(Negate(tree))
 
 
-def _scalar(tree: Expression) -> sp.Expr | None:
-    """The value of a tree; None of a vector, and of what has none."""
-    try:
-        value = worth(tree)
-    except (RestitutionError, sp.SympifyError):
-        return None
-    return value if isinstance(value, sp.Expr) else None
-
-
 def _same_angle(ratio: Expression, figures: Expression | None, inverse: str = "arccos") -> bool:
     """Whether the figures of a ratio lead to its angle."""
     return figures is not None and not _differ(Apply(inverse, ratio), Apply(inverse, figures))
@@ -624,12 +615,12 @@ def _differ(exact: Expression, put: Expression) -> bool:
     one, other = rounded(exact), rounded(put)
     if one is None or other is None or one == other:
         return False
-    value = _scalar(put)
+    value = scalar_worth(put)
     if not is_binary(put, "/", "-", "+") or value is None or value.free_symbols:
         return True
     # What is a decimal with an end has its fourth figure still.
     return is_measure_of_angle(put) or (
-        figures_of(exact, _FIGURES_OF_ANSWERS) != figures_of(put, _FIGURES_OF_ANSWERS)
+        figures_of(exact, FIGURES_OF_ANSWERS) != figures_of(put, FIGURES_OF_ANSWERS)
     )
 
 

@@ -202,6 +202,15 @@ def worth(tree: Expression) -> sp.Expr:
     return sp.sympify(value, strict=True)
 
 
+def scalar_worth(tree: Expression) -> sp.Expr | None:
+    """The value of a tree of letters that are positive; None of a vector, and of what has none."""
+    try:
+        value = worth(tree)
+    except (RestitutionError, sp.SympifyError):
+        return None
+    return value if isinstance(value, sp.Expr) else None
+
+
 def vector_worth(tree: Expression) -> Vector | None:
     """The value of a vector in letters that are positive; None where a line cannot say it."""
     try:

@@ -6,14 +6,13 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Expression, Letter, letters
 from restitution.oracle import Role
 from restitution.oracle.roles import ACUTE
 from restitution.planning.writing.forms import ZERO
+from restitution.workings.naming.measured import scalar_worth
 
 
 def every_positive_value(
@@ -63,11 +62,8 @@ def _is_given(derivation: Derivation, name: str) -> bool:
 
 def _is_multiple(value: Expression, name: str) -> bool:
     """Whether an expression is a factor without a letter times its tangent, or cotangent."""
-    try:
-        whole = in_letters(value, positive=True)
-    except RestitutionError:
-        return False
-    if not isinstance(whole, sp.Expr):
+    whole = scalar_worth(value)
+    if whole is None:
         return False
     angle = sp.Symbol(name, positive=True)
     tangent = sp.sin(angle) / sp.cos(angle)
