@@ -89,7 +89,11 @@ from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_tangents import with_direct_tangents
-from restitution.planning.writing.either_side import on_one_side, write_other_side
+from restitution.planning.writing.either_side import (
+    mirrored_as_one,
+    on_one_side,
+    write_other_side,
+)
 from restitution.planning.writing.facts_once import with_facts_once
 from restitution.planning.writing.gathering import (
     gathered,
@@ -440,6 +444,8 @@ def _drafts(
     drafts = []
     one_side = on_one_side(solution, part, models, desk) if early is None else ()
     models = list(one_side) or models
+    if early is None and (as_one := mirrored_as_one(part, models, desk)) is not None:
+        models = [as_one]
     for model_ in models:
         draft = desk.fork()
         own_letters = model_.unknowns

@@ -41,6 +41,8 @@ from restitution.oracle import All, Formula, Oracle, Some, compared, joined
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.records import dataclass
 
+_NOTHING = Number(Fraction(0))
+
 
 @dataclass
 class Step(Premises):
@@ -200,11 +202,46 @@ class Step(Premises):
                             yield component, size if on_paper == 1 else Negate(size)
                     if senses != [None, None]:
                         continue
-                if self._towards(event, rules):
+                is_open = self._is_open(before)
+                if is_open and self._comes_from_either_side(before):
+                    ahead = self._as_along_an_axis(centres)
+                    yield along, Negate(sine) if away == (ahead == 1) else sine
+                elif self._towards(event, rules):
                     yield along, Negate(sine) if away else sine
                 sense = self._sense_along(Quantity("across", (before, centres)), rules)
+                if sense is None and is_open:
+                    sense = self._as_along_an_axis(centres, turns=1)
                 if sense is not None:
                     yield across, cosine if sense == 1 else Negate(cosine)
+
+    def _as_along_an_axis(self, centres: Quantity, turns: int = 0) -> int:
+        """−1 where a normal, turned to the left so many times, is against **i** or **j**; else 1.
+
+        Of a motion of which nothing is told the components are taken positive along these.
+        """
+        normal = self.world.pointing(centres)
+        if not isinstance(normal, Plane):
+            return 1
+        parts = (-normal.y, normal.x) if turns else (normal.x, normal.y)
+        is_along = any(part.vanishes for part in parts)
+        return -1 if is_along and any(self.signs.of(part) == -1 for part in parts) else 1
+
+    def _comes_from_either_side(self, velocity: Quantity) -> bool:
+        """Whether it is cited that a body comes to a wall, and not from which side."""
+        return any(
+            link.sign == "!=" and velocity in walk(link.left) and link.right == _NOTHING
+            for link in self.links
+        )
+
+    def _is_open(self, velocity: Quantity) -> bool:
+        """Whether a law at a wall cites nothing of a velocity before it, but that it comes there.
+
+        A letter for a component of it has a sense of its own.
+        """
+        trees = [meaning.quantity for meaning in self.lets]
+        trees += [e for link in self.links if link.sign != "!=" for e in (link.left, link.right)]
+        law = self.move.record in ("unchanged", "restitution-wall")
+        return law and not any(velocity in walk(tree) for tree in trees)
 
     def _of_nothing(
         self, velocity: Expression, zero: Expression

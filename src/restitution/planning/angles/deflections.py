@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -19,7 +18,6 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Negate,
-    Polar,
     Quantity,
     is_zero,
     letters,
@@ -156,76 +154,6 @@ def _written(
     if own is None:
         raise NotPlannedError("a deflection to either side")
     return scene.desk.write(move, own, relation)
-
-
-def turned_at_a_wall(
-    scene: Scene, turned: GivenEquation, fast: GivenEquation
-) -> tuple[int, int] | None:
-    """Both laws at a wall, of a speed after it and its angle to the wall.
-
-    The angle is given, or is what a deflection leaves of it. None where what is given is not that:
-    the angle at which the body comes, an angle or a deflection, and a speed.
-    """
-    match turned.link.left, fast.link.left:
-        case (
-            Quantity("deflection", (Name(body),), int(event)),
-            Quantity("speed", (Name(other),), int(stage)),
-        ):
-            pass
-        case (
-            Quantity("angle", (Quantity("velocity", (Name(body),), int(event)), Name())),
-            Quantity("speed", (Name(other),), int(stage)),
-        ):
-            pass
-        case _:
-            return None
-    if body != other or stage != event or event not in scene.model.frames:
-        return None
-    frame = scene.frame(event)
-    fact = scene.facts.get(f"velocity {body}")
-    if frame.wall is None or fact is None or scene.last_event(body, event - 1):
-        return None
-    match fact.relation.only[0].right:
-        case Polar(size, angle, wall=Name(name)) if name == frame.wall:
-            pass
-        case _:
-            return None
-    wall = Name(frame.wall)
-    later = Quantity("angle", (Quantity("velocity", (Name(body),), event), wall))
-    if turned.link.left == later:
-        rest: Expression = turned.link.right
-        source: Ref = turned.fact.id
-    elif turned.link.left.kind == "deflection":
-        rest = Binary("-", turned.link.right, angle)
-        source = scene.desk.write(
-            Move("define", "sum", event, (body,)),
-            together((turned.fact.id, fact.id)),
-            chain(later, (rest, None)),
-        )
-    else:
-        return None
-    refs = together((turned.fact.id, fact.id, f"wall {wall.name}", fast.fact.id), frame.refs)
-    size_after = fast.link.right
-    law = Move("law", "unchanged", event, (body,))
-    along = chain(
-        product(size_after, Apply("cos", rest)), (product(size, Apply("cos", angle)), None)
-    )
-    away = chain(
-        product(size_after, Apply("sin", rest)),
-        (product(tree_of(scene.coefficient(event).value), size, Apply("sin", angle)), None),
-    )
-    e = scene.coefficient(event)
-    lines = []
-    for move, relation, more in (
-        (law, along, ()),
-        (replace(law, record="restitution-wall"), away, e.refs),
-    ):
-        pool = [ref for ref in together(refs, more) if ref != turned.fact.id]
-        own = scene.judge.enough(move, [source, fast.fact.id, fact.id, *more], relation, pool)
-        if own is None:
-            return None
-        lines.append(scene.desk.write(move, own, relation))
-    return lines[0], lines[1]
 
 
 # --- the cosine ---------------------------------------------------------------------------------

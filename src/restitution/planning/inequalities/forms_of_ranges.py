@@ -9,18 +9,19 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from functools import partial
 
 from restitution.components.models import Model
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Ref, Relation, turned
 from restitution.explaining.lines.notation import read_relation
-from restitution.expression.tree import Apply, Letter, has_quantity, letters
+from restitution.expression.tree import Apply, Expression, Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Formula, compared
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
-from restitution.planning.writing.forms import square
+from restitution.planning.writing.forms import square, tree_of
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer
 
@@ -34,9 +35,10 @@ def write_form(
     condition = None if len(answer.condition) != 1 else _condition(answer.condition[0])
     if condition is None:
         return False
+    condition = _in_degrees(scene, condition)
     standing, facts, assumed = solver.mark(), scene.desk.facts, scene.desk.assumed
     with suppress(*UNPLANNED, RestitutionError, BeyondError):
-        with _assumed(scene, Fact(f"case {name}", "case", condition, scene.desk.part)):
+        with _assumed(scene, _case(scene.desk, condition, name)):
             write()
             lines = scene.desk.lines
             require_true(scene.model, lines[standing.desk.lines :], lines, scene.desk.facts)
@@ -89,6 +91,34 @@ def relation_of_condition(text: str) -> Relation:
     return read_relation(_ARCS.sub(r"arc\1(", text).replace("**", "^"), {})
 
 
+def _in_degrees(scene: Scene, condition: Relation) -> Relation:
+    """A condition, with numbers that bound the letter of an angle in degrees."""
+    roles = scene.model.unknowns.roles
+
+    def is_angle(tree: Expression) -> bool:
+        return isinstance(tree, Letter) and tree.name in roles and roles[tree.name].kind == "angle"
+
+    def side(tree: Expression, other: Expression) -> Expression:
+        return tree_of(scene.scalar(tree), angle=True) if is_angle(other) else tree
+
+    return Relation(
+        tuple(
+            tuple(
+                replace(link, left=side(link.left, link.right), right=side(link.right, link.left))
+                for link in links
+            )
+            for links in condition.options
+        )
+    )
+
+
+def _case(desk: Desk, condition: Relation, name: str) -> Fact:
+    """A condition as a fact: that of an item above with the same one, whose lines hold here too."""
+    own = Fact(f"case {name}", "case", condition, desk.part)
+    cases = (fact for fact in desk.facts if fact.id in desk.assumed and fact.kind == "case")
+    return next((e for e in cases if (e.relation, e.part) == (condition, desk.part)), own)
+
+
 def _condition(text: str) -> Relation | None:
     """A condition of an answer as a relation of letters; None of one that has several parts."""
     try:
@@ -118,7 +148,11 @@ def _assumed(scene: Scene, fact: Fact) -> Iterator[None]:
     """Has a condition in force for a while."""
     own, model = scene.desk, scene.model
     assumed = _within(scene, fact.relation)
-    own.assume(fact)
+    if fact.id in own.assumed:
+        own.assumed -= {fact.id}
+        own.version += 1
+    else:
+        own.assume(fact)
     scene.__dict__.pop("facts", None)
     scene.__dict__.pop("judge", None)
     scene.model = assumed

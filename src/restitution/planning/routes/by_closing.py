@@ -8,15 +8,16 @@ from itertools import combinations
 import sympy as sp
 
 from restitution.exact import in_sines, tidy
-from restitution.expression.tree import Name, Quantity, is_quantity, walk
-from restitution.planning.angles.deflections import turned_at_a_wall
+from restitution.exact.symbols import symbol_names
+from restitution.expression.tree import Letter, Name, Quantity, is_quantity, walk
+from restitution.planning.angles.speeds_at_walls import resolved_at_a_wall, start_by_what_follows
 from restitution.planning.axes.given_momenta import write_masses
 from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.systems import solve_together
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.routes.by_laws import ByLaws
-from restitution.planning.routes.givens import write_impulse_on
+from restitution.planning.routes.givens import candidate_of, write_impulse_on
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.polynomials import factor_powers, factored, one_fraction
@@ -136,8 +137,6 @@ class Closing(ByLaws):
             unknowns = self._open(first) | self._open(second)
             if len(unknowns) != 2:
                 continue
-            if self._turned(first, second) or self._turned(second, first):
-                return first, second
             lines = [self._line(candidate) for candidate in (first, second)]
             if None in lines:
                 continue
@@ -147,30 +146,72 @@ class Closing(ByLaws):
                 *(self.scene.unknown(residual(self.scene, number)) for number in pair)
             )
             x, y = sorted(own if len(own) == len(pair) else unknowns, key=self._wanted_later)
-            try:
-                close_two(self.scene, pair, (x, y))
-            except NotPlannedError as error:
-                self.reasons.append(error)
-                continue
-            return first, second
+            if self._close_both(pair, (x, y)):
+                return first, second
         return None
 
-    def _turned(self, turned: Candidate, fast: Candidate) -> bool:
-        """A deflection at a wall with the speed after it: by the angle that is left to the wall."""
-        pair = self.equations.givens.get(turned.id), self.equations.givens.get(fast.id)
-        if pair[0] is None or pair[1] is None:
+    def _resolved(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A speed after a wall and its angle to that are given: both laws of its components.
+
+        Where the part asks for what the speed tells too, it need not be on the route.
+        """
+        givens = self.equations.givens
+        for turned in (own for own in left if own.id in givens):
+            for fast in self._with_what_is_asked(left):
+                if fast.id == turned.id or fast.id not in givens:
+                    continue
+                standing, pair = self.mark(), (givens[turned.id], givens[fast.id])
+                if start_by_what_follows(self.scene, *pair):
+                    return tuple(own for own in (turned, fast) if own in left)
+                lines = resolved_at_a_wall(self.scene, *pair)
+                if lines is None:
+                    continue
+                if self._both_close(lines):
+                    laws = (own for own in left if own.id == f"wall {self._wall_of(lines)}")
+                    self.equations.used.add(fast.id)
+                    return tuple(own for own in (turned, fast, *laws) if own in left)
+                self.back(standing)
+        return None
+
+    def _wall_of(self, lines: tuple[int, int]) -> int | None:
+        """The impact of two laws at a wall."""
+        return self.scene.desk.line(lines[0]).move.event
+
+    def _with_what_is_asked(self, left: Sequence[Candidate]) -> list[Candidate]:
+        """What is left of a route, and the other facts that are about letters that are asked."""
+        asked = {node.name for node in self.scene.asked if isinstance(node, Letter)}
+        others = [
+            own
+            for own in map(candidate_of, self.scene.given)
+            if own not in left
+            and own.id not in self.equations.used
+            and asked & symbol_names(*self._open(own))
+        ]
+        return [*left, *others]
+
+    def _both_close(self, lines: tuple[int, int]) -> bool:
+        """Whether two equations tell two unknowns: that with one of them first, or both at once."""
+        scene = self.scene
+        unknowns = [scene.unknown(residual(scene, with_known(scene, line))) for line in lines]
+        if len(unknowns[0] | unknowns[1]) != len(lines):
             return False
-        lines = turned_at_a_wall(self.scene, pair[0], pair[1])
-        if lines is None:
-            return False
-        for number, line in enumerate(lines):
-            put = with_known(self.scene, line)
-            own = self.scene.unknown(residual(self.scene, put))
-            if len(own) != 1:
+        if all(len(own) == len(lines) for own in unknowns):
+            x, y = sorted(unknowns[0], key=self._wanted_later)
+            return self._close_both(lines, (x, y))
+        for line, _ in sorted(zip(lines, unknowns, strict=True), key=lambda own: len(own[1])):
+            number = with_known(scene, line)
+            left = scene.unknown(residual(scene, number))
+            if len(left) != 1 or not self._closes(number, *left):
                 return False
-            (symbol,) = own
-            if not self._closes(put, symbol):
-                return number > 0
+        return True
+
+    def _close_both(self, lines: tuple[int, int], pair: tuple[sp.Symbol, sp.Symbol]) -> bool:
+        """Solves two equations for their two unknowns, if there is a way."""
+        try:
+            close_two(self.scene, lines, pair)
+        except NotPlannedError as error:
+            self.reasons.append(error)
+            return False
         return True
 
 

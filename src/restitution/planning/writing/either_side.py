@@ -84,6 +84,43 @@ def on_one_side(
     )
 
 
+def mirrored_as_one(part: PartSolution, models: Sequence[Model], desk: Desk) -> Model | None:
+    """The solution that is written for all, where they are one motion seen in mirrors.
+
+    Of a velocity at the start nothing is told, it is in front of a wall along an axis, and each
+    item has one answer. The body is taken to move in the senses of **i** and **j**.
+    """
+    if len(models) < 2 or any(len(item.distinct) != 1 for item in part.items):
+        return None
+    chosen = [own for own in models if _comes_as_it_is_drawn(own, desk)]
+    if len(chosen) != 1:
+        return None
+    (own,) = chosen
+    for body in own.story.spheres:
+        for first, *others in zip(*(e.branch.story.velocity(body, 0) for e in models), strict=True):
+            if any(not own.identically_zero(first**2 - other**2) for other in others):
+                return None
+    return own
+
+
+def _comes_as_it_is_drawn(own: Model, desk: Desk) -> bool:
+    """Whether bodies of which nothing is told come so to their first walls."""
+    seen: set[str] = set()
+    for number, frame in sorted(own.frames.items()):
+        bodies = [body for body in own.happening(number).bodies if body in own.story.spheres]
+        for body in bodies:
+            if body in seen or any(fact.id == f"velocity {body}" for fact in desk.facts):
+                continue
+            seen.add(body)
+            velocity = own.branch.story.velocity(body, 0)
+            beside = [part for part, n in zip(velocity, frame.n, strict=True) if n == 0]
+            if frame.wall is None or len(beside) != 1:
+                return False
+            if any(own.sign(part) <= 0 for part in velocity):
+                return False
+    return bool(seen)
+
+
 def _is_turned(facts: Sequence[Fact], body: str) -> bool:
     """Whether a speed and a deflection of a sphere are given."""
     given = {

@@ -629,7 +629,7 @@ class Scene:
         return Source(Vector(x.value, y.value), together(x.refs, y.refs))
 
     def sought(self, body: str, axis: Literal["i", "j"]) -> Source:
-        """The letter for a component of a velocity at the start that is to be found.
+        """The letter for a component of a velocity at the start that is to be found, or its line.
 
         Raises NotPlannedError where the component is no letter.
         """
@@ -638,6 +638,9 @@ class Scene:
         if not value.is_Symbol:
             raise NotPlannedError(f"the velocity of {body} at the start is not given")
         quantity = Quantity("along", (Quantity("velocity", (Name(body),), 0), Unit(axis)))
+        known = self.desk.known(quantity)
+        if known is not None:
+            return known
         line = self.desk.write(Move("let"), (), Meaning(value.name, quantity))
         return Source(value, (line,))
 

@@ -107,8 +107,8 @@ class Known:
         self, reasons: Sequence[Sentence | Relation | None]
     ) -> Iterator[Sentence | Relation | None]:
         """Reasons in which a range of an angle ends at a closer bound of it: 90° < δ ≤ 180°."""
-        rest = list(reasons)
-        for reason in reasons:
+        rest = [own for own in reasons if not any(self._is_within(e, own) for e in reasons)]
+        for reason in tuple(rest):
             match reason:
                 case Relation(((low, Link(angle, "<=", Degrees(end))),)):
                     name = self._naming.layout(angle)
@@ -130,6 +130,17 @@ class Known:
                             rest[rest.index(reason)] = Relation(((up, high),))
                             break
         yield from rest
+
+    def _is_within(self, own: Sentence | Relation | None, other: object) -> bool:
+        """Whether a range of an angle is that of another reason without its ends."""
+        match own, other:
+            case (
+                Relation(((Link(low, "<", angle), Link(_, "<", high)),)),
+                Relation(((Link(first, "<=", same), Link(_, "<=", last)),)),
+            ):
+                alike = self._naming.layout(angle) == self._naming.layout(same)
+                return alike and (low, high) == (first, last)
+        return False
 
     def _without_a_pole(
         self, line: Line, reason: Sentence | Relation | None

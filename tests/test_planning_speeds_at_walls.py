@@ -1,0 +1,105 @@
+"""A speed after a wall and its angle to that: both laws take its components."""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+WALL = "wall W: along i\n"
+# A statement, and what its working says, in this order.
+CASES = {
+    "degrees": (
+        WALL
+        + """sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+given speed(P) = 4, angle(velocity(P), W) = 20°
+find alpha, u
+""",
+        (
+            "Parallel to W the velocity does not change: u cos α = 4 cos 20°",
+            "Newton's experimental law: ½u sin α = 4 sin 20°",
+            "Dividing (2) by (1): tan α = 2 tan 20°",
+            "u² = (4 cos 20°)² + (8 sin 20°)²",
+        ),
+    ),
+    "letters": (
+        WALL
+        + """sphere P: velocity u at alpha to W
+P hits W
+given speed(P) = v, angle(velocity(P), W) = beta
+find u, alpha in terms of v, beta, e
+""",
+        (
+            "u cos α = v cos β",
+            "eu sin α = v sin β",
+            "u sin α = (v sin β)/e, as 0° < β < 90°",
+            "tan α = (tan β)/e",
+            "α = arctan((tan β)/e)",
+        ),
+    ),
+    "a tangent, with the impulse": (
+        WALL
+        + """sphere P: mass 0.2, velocity V at theta to W
+P hits W: e = 0.6
+given speed(P) = 5, tan(angle(velocity(P), W)) = 3/4
+find V, theta
+find impulse
+""",
+        (
+            "tan β = ¾",
+            "V cos θ = 5 × 0.8 = 4",
+            "0.6V sin θ = 5 × 0.6 = 3",
+            "V² = 4² + 5² = 41",
+            "magnitude of the impulse = 0.2(3 + 5) = 1.6 N s",
+        ),
+    ),
+    "the coefficient": (
+        WALL
+        + """sphere P: velocity 6 at alpha to W
+P hits W
+given speed(P) = 4, angle(velocity(P), W) = 30°
+find alpha, e
+""",
+        ("6 cos α = 4 cos 30°", "6e sin α = 4 sin 30°", "e = √6/6"),
+    ),
+    "components": (
+        """wall W: along j
+sphere P: velocity a i + b j
+P hits W: e = 1/3
+given speed(P) = 5, cos(angle(velocity(P), W)) = 0.6, a > 0, b > 0
+find a, b
+""",
+        ("cos β = 0.6", "b = 5 × 0.6", "⅓a = 5 × 0.8 = 4", "a = 12"),
+    ),
+    "nothing told of the velocity before": (
+        """wall W: along j
+sphere P: mass 0.3
+P hits W: e = 2/3
+given speed(P) = 6, angle(velocity(P), W) = 30°
+find speed(P, 0), angle(velocity(P, 0), W)
+""",
+        (
+            "the component in the direction of 𝐣 stays 6 cos 30° = 3√3 m s⁻¹",
+            "6 sin 30° = ⅔ × component of 𝐮_P along 𝐢",
+            "component of 𝐮_P along 𝐢 = 4.5 m s⁻¹",
+            "= √(4.5² + (3√3)²) = 3√21/2",
+            "tan β = 4.5/(3√3) = √3/2",
+        ),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_both_laws_take_the_components_of_the_speed_after(name: str) -> None:
+    statement, parts = CASES[name]
+    problem, derivation = planned(statement)
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    place = -1
+    for part in parts:
+        found = text.find(part, place + 1)
+        assert found > place, (part, text)
+        place = found
+    assert "not written out" not in text
