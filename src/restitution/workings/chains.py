@@ -455,7 +455,16 @@ class Chains:
         if is_vector(trees[0]) and self._ends.of(line) is None:
             tree = self._figures.vector(tree)
         put = self._figures.again if worked else self._figures.put
-        return put(tree, outcome, behind=n > 1)
+        side = put(tree, outcome, behind=n > 1)
+        if n == 1 and calculated and line.move.id == "define" and self._is_worked_out_here(trees):
+            return tree if isinstance(unsigned(side), Number) else side
+        return side
+
+    def _is_worked_out_here(self, trees: Sequence[Expression]) -> bool:
+        """Whether the first of several values is a sum of roots that is new on paper."""
+        first = trees[1]
+        new = self._figures.is_of_roots(first) and not self._figures.has_known(first)
+        return len(trees) > 2 and new
 
     def _stays_exact(self, line: Line, last: Expression) -> bool:
         """Whether a value with roots of sums of roots stays exact: a root, a short answer."""

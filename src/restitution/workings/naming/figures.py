@@ -85,7 +85,8 @@ def is_by_calculator(trees: Iterable[Expression]) -> bool:
 def is_with_calculator(derivation: Derivation) -> bool:
     """Whether a working is one with a calculator.
 
-    At 15° it is where velocities are numbers, unless the question itself has roots.
+    At 15°, or where roots stand below roots or a tangent is a sum of roots, it is where velocities
+    are numbers, unless the question itself has roots.
     """
     relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
     trees = [tree for relation in relations for tree in relation.trees]
@@ -97,7 +98,18 @@ def is_with_calculator(derivation: Derivation) -> bool:
         return False
     shown = [end.answer for end in derivation.items if end.shown]
     asked = (tree for relation in (*data, *shown) for tree in relation.trees)
-    return _has_odd_multiples(trees) and not any(map(has_root, asked))
+    awkward = _has_odd_multiples(trees) or any(map(_is_of_long_roots, relations))
+    return awkward and not any(map(has_root, asked))
+
+
+def _is_of_long_roots(relation: Relation) -> bool:
+    """Whether a relation comes to a root of a sum of roots, or to a tangent that is such a sum."""
+    for option in relation.options:
+        for link in option:
+            tangent = is_function(link.left, "tan")
+            if any(_is_of_nested_roots(node, tangent) for node in walk(unsigned(link.right))):
+                return True
+    return False
 
 
 def _has_odd_multiples(trees: Iterable[Expression]) -> bool:
