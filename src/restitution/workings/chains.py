@@ -327,7 +327,11 @@ class Chains:
         if not self._figures.with_calculator or signs[-1] != "≈" or has_quantity(links[-1].right):
             return
         exact = self._trees(links)[-1]
-        if isinstance(links[0].left, Apply) or self._naming.layout(exact) in sides:
+        if isinstance(links[0].left, Apply):
+            return
+        if self._naming.layout(exact) in sides:
+            if self._figures.is_carried(exact):
+                self._figures.note(exact)
             return
         figures = self._figures.outcome(exact)
         if figures != exact:

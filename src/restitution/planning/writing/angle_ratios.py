@@ -129,7 +129,8 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
-        if ratio == "tan" and nested and known.value.is_number:
+        by_calculator = known.value.has(sp.sin, sp.cos, sp.tan)
+        if ratio == "tan" and nested and known.value.is_number and not by_calculator:
             refs = (square_of_cosine(scene, letter, known),)
         premises = (*refs, range_of(scene, symbol.name))
         more = scene.judge.known(symbol_names(known.value))

@@ -165,7 +165,8 @@ class Scene:
         tied = set()
         for symbol, value in self.model.final.items():
             own = value.atoms(sp.sin, sp.cos, sp.tan) if isinstance(value, sp.Expr) else ()
-            if self._is_angle(symbol) and own and not names & symbol_names(*own):
+            others = symbol_names(*own)
+            if self._is_angle(symbol) and others and not names & others:
                 tied.add(symbol)
         return frozenset(tied)
 

@@ -107,7 +107,10 @@ def _is_of_long_roots(relation: Relation) -> bool:
     for option in relation.options:
         for link in option:
             tangent = is_function(link.left, "tan")
-            if any(_is_of_nested_roots(node, tangent) for node in walk(unsigned(link.right))):
+            nodes = walk(link.right)
+            if any(map(_is_nested_root, nodes)):
+                return True
+            if tangent and any(_is_of_nested_roots(node, True) for node in nodes):
                 return True
     return False
 
@@ -333,13 +336,13 @@ class Figures:
         own = unsigned(tree)
         if own in self._known and not (self.with_calculator and own in self._alone):
             return tree
-        if self.with_calculator and is_sum_with_inverse(tree):
+        if is_sum_with_inverse(tree) and (self.with_calculator or _is_of_inverses_of_roots(tree)):
             return angles_in_figures(tree)
         if self.with_calculator and not outcome:
             tree = _by_degrees(tree)
         for figures in _FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
-            known = exchanged(self._by_value(tree), nested | self._known)
+            known = nested.get(tree) or exchanged(self._by_value(tree), nested | self._known)
             put = rebuilt(known, self._arctangent)
             if put == tree or (self.with_calculator and isinstance(unsigned(put), Number)):
                 return put
@@ -373,6 +376,8 @@ class Figures:
                 return {} if number is None else {tree: number}
             is_carried = self._is_long  # every sum of numbers is worked out
         parts = [node for node in walk(tree) if is_carried(node)]
+        if self.with_calculator:
+            parts += filter(_is_over_a_root, walk(tree))
         parts += [
             node.argument
             for node in walk(tree)
@@ -381,6 +386,8 @@ class Figures:
         if outcome and self.has_sums_of_roots(tree) and not has_quantity(tree):
             parts.append(tree)
         values = {part: figures_of(part, figures) for part in parts if not letters(part)}
+        if self.with_calculator:
+            values |= {part: self.in_letters(part) for part in parts if letters(part)}
         return {node: number for node, number in values.items() if number is not None}
 
     def has_known(self, tree: Expression) -> bool:
@@ -451,6 +458,12 @@ def is_sum_with_inverse(tree: Expression) -> bool:
     return (
         is_binary(tree, "+", "-") and _is_sum_of_angles(tree) and any(map(is_inverse, walk(tree)))
     )
+
+
+def _is_of_inverses_of_roots(tree: Expression) -> bool:
+    """Whether a sum of angles has several inverses, with roots among them, that nobody reads."""
+    inverses = [node for node in walk(tree) if is_inverse(node)]
+    return len(inverses) > 1 and any(map(has_root, inverses))
 
 
 def _is_sum_of_angles(tree: Expression) -> bool:
@@ -550,9 +563,23 @@ def _is_long(tree: Expression) -> bool:
             return _is_long(above)
         case Binary("*", left, right) if of_plain_angles(tree):
             return _is_long(left) or _is_long(right)
-    return not letters(tree) and any(
-        is_function(node, "sqrt") and of_plain_angles(node.argument) for node in walk(tree)
-    )
+    return not letters(tree) and _has_root_of_ratios(tree)
+
+
+def _has_root_of_ratios(tree: Expression) -> bool:
+    return any(map(_is_root_of_ratios, walk(tree)))
+
+
+def _is_root_of_ratios(tree: Expression) -> bool:
+    return is_function(tree, "sqrt") and of_plain_angles(tree.argument)
+
+
+def _is_over_a_root(tree: Expression) -> bool:
+    """Whether a value is a sine or cosine by a tangent with roots, or a multiple of one."""
+    match tree:
+        case Binary("/", above, below):
+            return _has_root_of_ratios(above) and _is_root_of_ratios(below)
+    return False
 
 
 def _has_long_numbers(tree: Expression) -> bool:

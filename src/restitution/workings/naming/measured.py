@@ -150,6 +150,10 @@ def in_decimals(tree: Expression) -> Expression:
             size, rest = _coefficient(above)
             if rest is not None and size not in (0, 1) and _ends(size / below):
                 return Binary("*", Number(size / below), rest)
+        case Binary("/", Binary("*", Number(size), one), Binary("*", Number(below), other)):
+            ratios = all(is_function(tree, "sin", "cos", "tan") for tree in (one, other))
+            if ratios and size != below and _ends(size / below):
+                return Binary("/", Binary("*", Number(size / below), one), other)
         case Binary("*", Binary("/", Number(above), Number(below)), rest):
             if above != 1 and _ends(above / below) and _is_rational(rest):
                 return Binary("*", Number(above / below), rest)
