@@ -427,3 +427,12 @@ def test_a_speed_of_a_calculator_is_a_quotient_of_decimals_and_then_its_figures(
     )
     assert "speed of P = (7.5 cos 41°)/cos 22° ≈ 6.10 m s⁻¹" in text
     assert "percentage lost ≈ (7.5² − 6.105²)/7.5² ≈ 33.7%" in text
+
+
+def test_an_angle_of_an_earlier_part_is_in_degrees_again() -> None:
+    text = checked(
+        "wall W: along i\nsphere P: mass 0.25, velocity u at alpha to W\nP hits W: e = 0.6\n"
+        "given speed(P) = 5, angle(velocity(P), W) = 24°\npart a\nfind alpha, u\npart b\n"
+        "find deflection(P)"
+    )
+    assert "With α from part (a): δ ≈ 36.58° + 24°" in text

@@ -55,6 +55,7 @@ from restitution.workings.naming.measured import (
     as_answer,
     as_decimal,
     is_long_quotient,
+    is_measure_of_angle,
     is_plain,
     multiple_in_figures,
     percentage,
@@ -330,7 +331,7 @@ class Chains:
         if isinstance(links[0].left, Apply):
             return
         if self._naming.layout(exact) in sides:
-            if self._figures.is_carried(exact):
+            if self._figures.is_carried(exact) and not is_measure_of_angle(exact):
                 self._figures.note(exact)
             return
         figures = self._figures.outcome(exact)
