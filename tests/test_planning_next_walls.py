@@ -88,7 +88,7 @@ def test_each_line_follows(name: str) -> None:
 
 def test_the_angle_to_the_next_wall_is_a_difference() -> None:
     said = lines_of("after an angle that was found")
-    assert "angle(velocity(P, 1), BC) = 75° - 30° = 45° [rearrange]" in said
+    assert "angle(velocity(P, 1), BC) = 180° - 105° - 30° = 45° [rearrange]" in said
     components = [each for each in said if "velocity(P, 1), line_of_centres(2)" in each]
     assert [each.split(" = ")[1] for each in components[:2]] == [
         "u/sqrt(3) sin(45°)",
@@ -125,8 +125,8 @@ find speed(P)
 def test_a_given_angle_to_a_wall_is_one_with_the_next_wall() -> None:
     said = " ".join(str(explain(solve(parse(GIVEN)), check=True)).split())
     assert (
-        "AB and BC meet at 60°. The angle between the path and BC: "
-        "angle between 𝐯₁ and BC = 60° − 30° = 30°"
+        "AB and BC meet at 120°. The rest of the triangle that the path makes with them: "
+        "angle between 𝐯₁ and BC = 180° − 120° − 30° = 30°"
     ) in said
     assert "P moves at 30° to BC." in said
     assert "𝐧" not in said
@@ -190,7 +190,7 @@ def test_a_wall_with_e_1_keeps_speed_and_angle() -> None:
     said = lines_of("from the other side")
     assert "speed(P, 1) = u" in said
     assert "angle(velocity(P, 1), AB) = 30°" in said
-    assert "angle(velocity(P, 1), BC) = 60° - 30° = 30° [rearrange]" in said
+    assert "angle(velocity(P, 1), BC) = 180° - 120° - 30° = 30° [rearrange]" in said
     assert lines_of("by letters") == [
         "angle(velocity(P, 1), OA) = alpha",
         "angle(velocity(P, 1), OB) = phi - alpha",
@@ -208,11 +208,11 @@ def test_a_deflection_is_the_sum_of_exact_angles() -> None:
 @pytest.mark.parametrize(
     ("name", "right", "wrong"),
     [
-        ("after an angle that was found", "75° - 30° = 45°", "75° + 30° = 105°"),
-        ("after an angle that was found", "75° - 30° = 45°", "30° + 30° = 60°"),
+        ("after an angle that was found", "105° - 30° = 45°", "105° + 30° = 105°"),
+        ("after an angle that was found", "180° - 105° - 30° = 45°", "30° + 30° = 60°"),
         ("after an angle that was found", "sin(45°)", "(-sin(45°))"),
         ("after an angle that was found", "cos(45°)", "(-cos(45°))"),
-        ("from the other side", "60° - 30° = 30°", "60° + 30° = 90°"),
+        ("from the other side", "120° - 30° = 30°", "120° + 30° = 90°"),
         ("from the other side", "u sin(30°)", "(-u sin(30°))"),
         ("from the other side", "u cos(30°)", "(-u cos(30°))"),
         ("by letters", "OB) = phi - alpha", "OB) = phi + alpha"),
@@ -310,3 +310,39 @@ def test_the_angle_that_an_elastic_wall_keeps_is_that_of_the_data(rest: str, wor
     for mark in (" M1", " A1ft", " A1", " B1"):
         text = text.replace(mark, "")
     assert working in text
+
+
+def test_the_corner_is_the_one_in_which_the_body_runs() -> None:
+    said = " ".join(
+        str(
+            explain(
+                solve(
+                    parse("""
+wall AB: along i
+wall BC: along 112°
+sphere P: velocity 5 at 40° to AB
+P hits AB: e = 0.7
+part a
+find speed(P), angle(velocity(P), AB)
+part b
+P hits BC: e = 0.7
+find speed(P)
+""")
+                ),
+                check=True,
+            )
+        ).split()
+    )
+    assert "AB and BC meet at 68°." in said
+    assert "angle between 𝐯₁ and BC ≈ 180° − 68° − 30.43° ≈ 81.57°" in said
+
+
+def test_the_rest_of_a_wall_at_more_than_90_degrees_is_said() -> None:
+    statement = """
+wall W: along 130°
+sphere P: velocity 5i - j
+P hits W: e = 0.5
+find speed(P)
+"""
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert "W is at 180° − 130° = 50° to −𝐢. Components before the impact:" in said

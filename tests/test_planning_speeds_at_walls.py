@@ -103,3 +103,18 @@ def test_both_laws_take_the_components_of_the_speed_after(name: str) -> None:
         assert found > place, (part, text)
         place = found
     assert "not written out" not in text
+
+
+def test_a_later_part_takes_the_component_after_as_it_is_given() -> None:
+    problem, derivation = planned("""wall W: along i
+sphere P: mass 0.25
+P hits W: e = 3/4
+given speed(P) = 6, angle(velocity(P), W) = 30°
+part a
+find speed(P, 0)
+part b
+find impulse
+""")
+    text = to_text(explanation_of(derivation, problem))
+    assert "magnitude of the impulse = 0.25(4 + 3) = 1.75 N s" in text
+    assert "component of 𝐯_P" not in text

@@ -204,10 +204,11 @@ class Step(Premises):
                         continue
                 is_open = self._is_open(before)
                 if is_open and self._comes_from_either_side(before):
-                    ahead = self._as_along_an_axis(centres)
+                    ahead: int | None = self._as_along_an_axis(centres)
+                else:
+                    ahead = self._towards(event, rules)
+                if ahead is not None:
                     yield along, Negate(sine) if away == (ahead == 1) else sine
-                elif self._towards(event, rules):
-                    yield along, Negate(sine) if away else sine
                 sense = self._sense_along(Quantity("across", (before, centres)), rules)
                 if sense is None and is_open:
                     sense = self._as_along_an_axis(centres, turns=1)
@@ -332,17 +333,22 @@ class Step(Premises):
     def _in_roles(self, tree: Expression) -> sp.Expr:
         return self.world.expression(self.world.scalar(tree), self.setting.roles)
 
-    def _towards(self, event: Event, rules: Rules) -> bool:
-        """Whether the direction of an event at a wall is the one into it, as far as is cited."""
+    def _towards(self, event: Event, rules: Rules) -> int | None:
+        """1 where the direction of an event at a wall is the one into it, as far as is cited.
+
+        −1 where it is the one out of it.
+        """
         velocity = Quantity("velocity", (Name(event.bodies[0]),), event.number - 1)
         axis = Quantity("line_of_centres", (), event.number)
         tree = settled(Quantity("along", (velocity, axis)), self.setting.events)
         own = self.world.scalar(tree)
         value = rules.put_into(own)
         if value == own or not isinstance(value, Quotient):
-            return True
-        claim = compared(self.world.expression(value, self.setting.roles), ">=", sp.Integer(0))
-        return Oracle(self.setting.roles).proves(claim)
+            return 1
+        worth = self.world.expression(value, self.setting.roles)
+        oracle = Oracle(self.setting.roles)
+        signs = (n for n in (1, -1) if oracle.proves(compared(n * worth, ">=", sp.Integer(0))))
+        return next(signs, None)
 
     @staticmethod
     def _cited_values(premise: Cited) -> Iterator[tuple[Expression, Expression]]:

@@ -125,11 +125,18 @@ def _law(
         return None
     late = tidy(sign * scene.scalar(size) * (1 if kind == "across" else -1))
     known = tuple(ref for ref in premises if ref not in e.refs)
-    scene.desk.know(frame.component(kind, body, frame.number), late, known)
+    _know_after(scene, body, frame, kind, late, known)
+    return scene.desk.write(move, premises, whole)
+
+
+def _know_after(
+    scene: Scene, body: str, frame: Frame, kind: str, late: sp.Expr, refs: tuple[Ref, ...]
+) -> None:
+    """From here on a component after the wall is known by what is given."""
+    scene.desk.know(frame.component(kind, body, frame.number), late, refs)
     if kind == "along":
         letter = component_letter(scene, body, frame)
-        scene.desk.know(Letter(letter.name), frame.letter_sign * late, known)
-    return scene.desk.write(move, premises, whole)
+        scene.desk.know(Letter(letter.name), frame.letter_sign * late, refs)
 
 
 def _spare(scene: Scene, body: str, frame: Frame, relation: Relation) -> tuple[Ref, ...]:
@@ -181,6 +188,9 @@ def start_by_what_follows(scene: Scene, turned: GivenEquation, fast: GivenEquati
             alone = chain(component, (tree_of(worth), None))
             line = scene.desk.write(Move("rearrange"), (line,), alone)
         scene.desk.know(component, worth, (line,))
+        late = tidy(scene.scalar(share) * (1 if kind == "across" else -1))
+        after = together(sources, fast.refs, frame.refs, (line,))
+        _know_after(scene, body, frame, kind, late, after)
         (letter,) = (
             e for e, n in zip(velocity, frame.n, strict=True) if (n == 0) == (kind == "across")
         )

@@ -13,6 +13,8 @@ from restitution.explaining.definitions.next_walls import made_of
 from restitution.explaining.lines.derivation import Move, MoveId, Ref, Showing
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -130,7 +132,7 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
     size = _on_paper(scene, known, "inverse") if by_calculator else tree_of(known.value, angle=True)
     for sense in (1, -1):
         for difference in made_of(here, there, first, sense):
-            tree = exchanged(difference, {first: size})
+            tree = _in_the_corner(exchanged(difference, {first: size}))
             value = scene.scalar(tree) if by_calculator else tidy_angle(scene.scalar(tree))
             if value.is_number and not 0 <= value <= sp.pi / 2:
                 continue
@@ -141,6 +143,18 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
                 return scene.desk.know(asked, value, (scene.desk.write(move, refs, relation),))
     scene.desk.back(mark)
     return None
+
+
+def _in_the_corner(angle: Expression) -> Expression:
+    """What a corner and the angle before leave of a triangle: ``180° − 72° − β`` for ``108° − β``.
+
+    So the angle of the corner is the one in which the body runs.
+    """
+    match angle:
+        case Binary("-", Degrees(turn), early) if turn != RIGHT_ANGLE.value:
+            corner = Degrees(STRAIGHT_ANGLE.value - turn)
+            return Binary("-", Binary("-", STRAIGHT_ANGLE, corner), early)
+    return angle
 
 
 def _on_paper(scene: Scene, known: Source, *moves: MoveId) -> Expression:

@@ -44,6 +44,7 @@ _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "made.ratio",
     "next-wall.angle",
     "next-wall.between",
+    "next-wall.corner",
     "derived.add",
     "derived.by-from",
     "derived.combine",

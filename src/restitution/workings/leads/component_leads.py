@@ -157,7 +157,27 @@ class ComponentLeads(LinesAround):
         ):
             first, second = event.bodies
             return say("resolved-spheres.before-left", first=first, second=second)
+        rest = self._rest_of_the_wall(line, event) if stage < event.number else None
+        if rest is not None:
+            names = {"wall": event.bodies[1], "axis": self._naming.layout(Negate(Unit("i")))}
+            return _components("resolved-wall.before-rest", angle=rest, **names)
         return _components(_RESOLVED[event.wall, stage < event.number])
+
+    def _rest_of_the_wall(self, line: Line, event: Event) -> lay.Layout | None:
+        """What is left to 180° of the angle of a wall, where components are resolved by that.
+
+        So those at a wall at 110° have the sine and the cosine of 70°.
+        """
+        fact = self._derivation.fact(" ".join(("wall", event.bodies[-1])))
+        match None if fact is None or not event.wall else fact.relation.only[-1].right:
+            case Degrees(turn) as angle if RIGHT_ANGLE.value < turn < STRAIGHT_ANGLE.value:
+                rest = Degrees(STRAIGHT_ANGLE.value - turn)
+            case _:
+                return None
+        assert isinstance(line.relation, Relation)
+        if not any(rest in walk(link.right) for link in line.relation.only):
+            return None
+        return self._naming.relation(equality(Binary("-", STRAIGHT_ANGLE, angle), rest))
 
     def _products(self, line: Line, stage: int, along: lay.Layout) -> Sentence:
         """What is said before scalar products with a vector along a line of centres."""

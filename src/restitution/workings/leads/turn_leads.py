@@ -387,7 +387,10 @@ class TurnLeads(LinesAround):
         between = self._between_walls(line, own, wall)
         if between is None:
             return say("next-wall.angle", next=wall, wall=own)
-        return say("next-wall.between", next=wall, wall=own, angle=self._naming.layout(between))
+        names = {"next": wall, "wall": own, "angle": self._naming.layout(between)}
+        if any(STRAIGHT_ANGLE in walk(tree) for tree in trees_of(line.relation)):
+            return say("next-wall.corner", **names)
+        return say("next-wall.between", **names)
 
     def _from_a_wall(self, line: Line, body: str, wall: str) -> Sentence | None:
         """At which angle the wall is from which a direction is worked out; None without one."""

@@ -37,6 +37,9 @@ SENTENCES: Mapping[str, str] = {
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
     "resolved-wall.before-units": "{components:capital} before the impact:",
+    "resolved-wall.before-rest": (
+        "{wall} is at {angle} to {axis}. {components:capital} before the impact:"
+    ),
     "resolved-wall.after-units": "{components:capital} after the impact:",
     "resolved.several": "components",
     "resolved.one": "component",

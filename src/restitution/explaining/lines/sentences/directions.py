@@ -122,6 +122,9 @@ SENTENCES: Mapping[str, str] = {
     "next-wall.between": (
         "{wall} and {next} meet at {angle}. The angle between the path and {next}:"
     ),
+    "next-wall.corner": (
+        "{wall} and {next} meet at {angle}. The rest of the triangle that the path makes with them:"
+    ),
     "between.line": "{body} moves along the line of centres:",
     "between.line-back": (
         "{one} moves along the line of centres, and {other} the opposite way along it:"
