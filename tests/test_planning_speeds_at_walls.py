@@ -99,9 +99,9 @@ def test_both_laws_take_the_components_of_the_speed_after(name: str) -> None:
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     place = -1
     for part in parts:
-        found = text.find(part, place + 1)
-        assert found > place, (part, text)
-        place = found
+        start = text.find(part, place + 1)
+        assert start > place, (part, text)
+        place = start
     assert "not written out" not in text
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
@@ -74,6 +75,7 @@ from restitution.planning.routes.items import write_item
 from restitution.planning.routes.late_facts import write_with_facts
 from restitution.planning.routes.order import Solver
 from restitution.planning.routes.refusals import note_of, write_refusal
+from restitution.planning.shows.kept_letters import write_in_its_letters
 from restitution.planning.unfinished import (
     answer_of,
     note_unwritten,
@@ -89,11 +91,7 @@ from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_tangents import with_direct_tangents
-from restitution.planning.writing.either_side import (
-    mirrored_as_one,
-    on_one_side,
-    write_other_side,
-)
+from restitution.planning.writing.either_side import as_one, on_one_side, write_other_side
 from restitution.planning.writing.facts_once import with_facts_once
 from restitution.planning.writing.gathering import (
     gathered,
@@ -443,9 +441,7 @@ def _drafts(
             return []
     drafts = []
     one_side = on_one_side(solution, part, models, desk) if early is None else ()
-    models = list(one_side) or models
-    if early is None and (as_one := mirrored_as_one(part, models, desk)) is not None:
-        models = [as_one]
+    models = list(one_side) or as_one(part, models, desk)
     for model_ in models:
         draft = desk.fork()
         own_letters = model_.unknowns
@@ -620,7 +616,9 @@ def _write_item(
         case Show():
             from restitution.planning.shows.forward import write_show
 
-            write_show(scene, solver, item, result, now, name)
+            write_in_its_letters(
+                scene, solver, item, partial(write_show, scene, solver, item, result, now, name)
+            )
         case Range():
             asked = staged(problem, item.expression, now)
             if item.percentage:

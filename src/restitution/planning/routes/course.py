@@ -38,6 +38,7 @@ from restitution.planning.writing.desk import (
     NotPlannedError,
     Source,
     chain,
+    is_value_of,
     together,
 )
 from restitution.planning.writing.forms import tree_of
@@ -79,6 +80,7 @@ class Course:
         self.resort = False
         self._loosen_ties()
         self._forget_turned()
+        self._take_given_masses()
 
     def _forget_turned(self) -> None:
         """What another part has for letters that are data here, by letters that are not, is open.
@@ -94,6 +96,16 @@ class Course:
             value = None if known is None else sp.sympify(known.value, strict=True)
             if known is not None and value is not None and scene.unknown(value):
                 scene.desk.forget_value(Letter(name), known)
+
+    def _take_given_masses(self) -> None:
+        """Masses that facts give have these values wherever they stand in laws."""
+        for body in self.scene.model.story.spheres:
+            symbol = sp.sympify(self.scene.model.story.mass(body), strict=True)
+            data = [ref for ref in (f"mass {body}",) if ref in self.scene.facts]
+            for given in self.scene.given if symbol.is_Symbol else ():
+                if is_value_of(given.link, Quantity("mass", (Name(body),))):
+                    value = self.scene.scalar(given.link.right)
+                    self.scene.desk.know(Letter(symbol.name), value, (*given.refs, *data))
 
     def _loosen_ties(self) -> None:
         """Letters that another part has by others, and that are numbers here, are open again.

@@ -175,6 +175,8 @@ def _with_its_letter(scene: Scene, given: GivenEquation) -> int | None:
 def _of_one_quantity(scene: Scene, given: GivenEquation, own: Quantity) -> int | None:
     """The line of what is given of one quantity, by its definition."""
     in_letters = not has_quantity(given.link.right)
+    if own.kind == "mass" and in_letters:
+        return _mass(scene, given, own)
     if own.kind == "angle" and not is_moving(own.arguments[0]):
         line = sine_of_the_offset(scene, given)
         if line is not None:
@@ -227,6 +229,16 @@ def _of_an_angle(scene: Scene, given: GivenEquation) -> int | None:
             if is_quantity(own.right, *UNSIGNED_ANGLES):
                 return write_equal_angles(scene, given)
     return None
+
+
+def _mass(scene: Scene, given: GivenEquation, own: Quantity) -> int | None:
+    """What is given of a mass that the data have in letters: ``3m = 6``."""
+    (body,) = own.arguments
+    data = scene.facts.get(f"mass {body.name}") if isinstance(body, Name) else None
+    if data is None:
+        return None
+    relation = chain(data.relation.only[0].right, (given.link.right, None))
+    return scene.judge.write((Move("put"),), (*given.refs, data.id), relation)
 
 
 _LOSSES = ("energy-lost", "total-lost", "energy", "total")

@@ -34,7 +34,15 @@ from restitution.explaining.lines.derivation import (
     scopes_of,
 )
 from restitution.explaining.lines.trees import statement_of
-from restitution.expression.tree import Apply, Binary, Expression, Letter, is_quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    is_quantity,
+)
 from restitution.planning.writing.forms import UnwrittenError, alike
 from restitution.records import dataclass
 from restitution.vector import Vector
@@ -95,6 +103,11 @@ def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
 def link(left: Expression, right: Expression, sign: Sign = "=", by: MoveId | None = None) -> Link:
     """``left sign right``."""
     return Link(left, sign, right, by)
+
+
+def is_value_of(link: Link, quantity: Quantity) -> bool:
+    """Whether an equation gives a quantity, as a number or in letters."""
+    return (link.left, link.sign) == (quantity, "=") and not has_quantity(link.right)
 
 
 def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relation:

@@ -84,23 +84,23 @@ def on_one_side(
     )
 
 
-def mirrored_as_one(part: PartSolution, models: Sequence[Model], desk: Desk) -> Model | None:
-    """The solution that is written for all, where they are one motion seen in mirrors.
+def as_one(part: PartSolution, models: list[Model], desk: Desk) -> list[Model]:
+    """The solutions, or the one that is written for all, where they are one seen in mirrors.
 
     Of a velocity at the start nothing is told, it is in front of a wall along an axis, and each
     item has one answer. The body is taken to move in the senses of **i** and **j**.
     """
     if len(models) < 2 or any(len(item.distinct) != 1 for item in part.items):
-        return None
+        return models
     chosen = [own for own in models if _comes_as_it_is_drawn(own, desk)]
     if len(chosen) != 1:
-        return None
+        return models
     (own,) = chosen
     for body in own.story.spheres:
         for first, *others in zip(*(e.branch.story.velocity(body, 0) for e in models), strict=True):
             if any(not own.identically_zero(first**2 - other**2) for other in others):
-                return None
-    return own
+                return models
+    return chosen
 
 
 def _comes_as_it_is_drawn(own: Model, desk: Desk) -> bool:

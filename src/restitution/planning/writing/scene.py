@@ -37,7 +37,7 @@ from restitution.planning.writing.angle_ratios import (
     write_ratios,
 )
 from restitution.planning.writing.changes import by_a_multiple, by_its_change
-from restitution.planning.writing.desk import Desk, NotPlannedError, Source, together
+from restitution.planning.writing.desk import Desk, NotPlannedError, Source, is_value_of, together
 from restitution.planning.writing.forms import neat, tree_of
 from restitution.planning.writing.frames import Frame, frame_of
 from restitution.planning.writing.judging import Judge
@@ -598,9 +598,14 @@ class Scene:
 
     def mass(self, body: str) -> Source:
         """The mass of a sphere; a letter of its own, where it is not given."""
-        if f"mass {body}" in self.facts:
-            return self.data(f"mass {body}")
         tree = Quantity("mass", (Name(body),))
+        given = next((own for own in self.given if is_value_of(own.link, tree)), None)
+        data = self.facts.get(f"mass {body}")
+        if given is not None and (data is None or isinstance(data.relation.only[0].right, Letter)):
+            value, refs = self.put(self.scalar(given.link.right))
+            return Source(value, together(given.refs, refs))
+        if data is not None:
+            return self.data(data.id)
         known = self.desk.known(tree)
         if known is None:
             symbol = sp.sympify(self.model.story.mass(body), strict=True)

@@ -135,6 +135,7 @@ class GivenLeads(Leads):
             and (fact := self._derivation.fact(ref)) is not None
             and (fact.kind == "given" or (fact.kind == "range" and ref.startswith("given")))
             and fact.id not in self._given
+            and not _gives_a_mass(fact)
         ]
         if line.move.record in ("perpendicular", "parallel"):
             # What else is given is a value that is put in.
@@ -586,6 +587,12 @@ class GivenLeads(Leads):
         }
         is_named = isinstance(link.left, Letter) and link.left in named
         return replace(link, left=named[link.left]) if is_named else link
+
+
+def _gives_a_mass(fact: Fact) -> bool:
+    """Whether a fact gives a mass, as those do that are data: it is put in without a word."""
+    link = fact.relation.options[0][0]
+    return is_quantity(link.left, "mass") and not has_quantity(link.right)
 
 
 def _across(axis: Expression) -> Unit | None:
