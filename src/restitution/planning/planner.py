@@ -100,7 +100,7 @@ from restitution.planning.writing.gathering import (
     without_unprinted_letters,
 )
 from restitution.planning.writing.given_terms import standing_ties, turn_round
-from restitution.planning.writing.kept_ratios import with_kept_ratios
+from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
 from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.scene import Scene
@@ -171,7 +171,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
         *(with_values_first, with_known_directions, with_complements, with_conjugates),
-        *(with_angles_of_paths, with_kept_ratios),
+        *(with_angles_of_paths, with_kept_ratios, with_one_angle),
     ):
         shorter = shortened(whole, oracle)
         whole = whole if shorter is whole else pruned(shorter)

@@ -329,15 +329,21 @@ def _in_its_degrees(
 ) -> tuple[sp.Expr, int] | None:
     """The root of a linear polynomial by the ratios of whole degrees that are in it.
 
-    No formula joins 40° and 70°, though the value may be one in 20° alone.
+    No formula joins 40° and 70°, though the value may be one in 20° alone, nor 50° and 60°.
     """
     value = -poly.nth(0) / poly.nth(1)
-    if len({sine.args for sine in value.atoms(sp.sin, sp.cos) if sine.is_number}) < 2:
+    degrees, shortest = map(_degrees, (value, tidy(value)))
+    if len(degrees) < 2 and degrees == shortest:
         return None
     own = in_tangents(value)
     relation = chain(Letter(symbol.name), (tree_of(own, as_it_is=True), None))
     line = rearranged(scene, number, relation)
     return None if line is None else (own, line)
+
+
+def _degrees(value: sp.Expr) -> set[sp.Expr]:
+    """The numbers of degrees of which a value has sines and cosines."""
+    return {ratio.args[0] for ratio in value.atoms(sp.sin, sp.cos) if ratio.is_number}
 
 
 def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:

@@ -5,12 +5,14 @@ Algebra has 4 cos 20° for it, which a reader would have to recognize.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
-from restitution.explaining.lines.trees import exchanged, rebuilt, trees_of
-from restitution.expression.tree import Apply, Degrees, Expression, walk
+from restitution.explaining.lines.trees import exchanged, of_relation, rebuilt, trees_of
+from restitution.expression.tree import EXACT_ANGLE, Apply, Degrees, Expression, walk
 from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
 
@@ -25,6 +27,59 @@ def with_kept_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
         if pair is not None:
             derivation = _without(derivation, line, *pair, oracle) or derivation
     return derivation
+
+
+def with_one_angle(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The working with the ratios of an angle that comes first, and none of its complement.
+
+    An angle of the data comes before any other. It is the same working where nothing is to be
+    changed, or where a line would not be accepted.
+    """
+    lines = [line for line in derivation.lines if isinstance(line.relation, Relation)]
+    data = [fact.relation for fact in derivation.facts]
+    of_data = dict.fromkeys(_angles(tree for relation in data for tree in relation.trees))
+    of_lines = dict.fromkeys(_angles(tree for line in lines for tree in trees_of(line.relation)))
+    kept = list(dict.fromkeys((*(size for size in of_data if size in of_lines), *of_lines)))
+    others = {
+        _RIGHT - size
+        for n, size in enumerate(kept)
+        if _RIGHT - size in kept[n + 1 :] and _RIGHT - size not in of_data
+    }
+    if not others:
+        return derivation
+
+    def change(tree: Expression) -> Expression:
+        match tree:
+            case Apply("sin" | "cos" as ratio, Degrees(size)) if size in others:
+                return Apply(_OTHER[ratio], Degrees(_RIGHT - size))
+        return tree
+
+    changed = {line.number: _of_relation(line, change) for line in lines}
+    whole = replace(
+        derivation,
+        lines=tuple(changed.get(line.number, line) for line in derivation.lines),
+        items=tuple(
+            replace(end, answer=of_relation(end.answer, change)) for end in derivation.items
+        ),
+    )
+    read = reader_of(whole, oracle)
+    own = [line for line in lines if changed[line.number] != line]
+    return whole if all(read.accepts(changed[line.number]) for line in own) else derivation
+
+
+def _of_relation(line: Line, change: Callable[[Expression], Expression]) -> Line:
+    """A line with each node of its relation changed."""
+    assert isinstance(line.relation, Relation)
+    return replace(line, relation=of_relation(line.relation, change))
+
+
+def _angles(trees: Iterable[Expression]) -> Iterator[Fraction]:
+    """The numbers of degrees of which sines and cosines stand in trees, in their order."""
+    for tree in trees:
+        for node in walk(tree):
+            match node:
+                case Apply("sin" | "cos", Degrees(size)) if size % EXACT_ANGLE:
+                    yield size
 
 
 def _pair(line: Line) -> tuple[Expression, Expression] | None:
@@ -96,4 +151,4 @@ def _in_relation(relation: Relation, last: Expression, before: Expression) -> Re
     )
 
 
-__all__ = ["with_kept_ratios"]
+__all__ = ["with_kept_ratios", "with_one_angle"]

@@ -342,7 +342,10 @@ class Figures:
             tree = _by_degrees(tree)
         for figures in _FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
-            known = nested.get(tree) or exchanged(self._by_value(tree), nested | self._known)
+            more = self._more_figures(tree, figures)
+            known = nested.get(tree) or exchanged(
+                self._by_value(exchanged(tree, more)), nested | self._known
+            )
             put = rebuilt(known, self._arctangent)
             if put == tree or (self.with_calculator and isinstance(unsigned(put), Number)):
                 return put
@@ -352,9 +355,20 @@ class Figures:
             # Figures that lead to others in the end would make the line false.
             if not _differ(tree, put):
                 return put
-            if not nested:
+            if not nested and not has_unit_vector(tree):
                 return tree
         return tree
+
+    def _more_figures(self, tree: Expression, figures: int) -> dict[Expression, Expression]:
+        """The values of a vector that are on paper, with more figures than they have there."""
+        if figures == FIGURES_BETWEEN or not has_unit_vector(tree):
+            return {}
+        numbers = {
+            node: figures_of(node, figures)
+            for node in walk(tree)
+            if isinstance(unsigned(self.instead_of(node)), Rounded) and not letters(node)
+        }
+        return {node: number for node, number in numbers.items() if number is not None}
 
     def _roots_in_figures(
         self, tree: Expression, figures: int, outcome: bool, behind: bool
