@@ -240,3 +240,27 @@ def test_the_other_sphere_makes_the_angle_of_the_offset_with_the_line_of_centres
         "part a\nfind angle(line_of_centres, i)\npart b\nfind deflection(B)\n"
     )
     assert "δ = 180° − 60° − φ" in parts["b"]
+
+
+def test_each_case_of_an_earlier_part_tells_what_follows_from_it() -> None:
+    parts = worked(
+        "sphere A: mass 0.5, velocity 4 at 35°\nsphere B: mass M, at rest\n"
+        "A hits B: along i, e = 0.6\ngiven angle(velocity(A), line_of_centres) = 70°\n"
+        "part a\nfind M\npart b\nfind speed(B)"
+    )
+    own = parts["b"]
+    assert own.count("If v ≈") == parts["a"].count("If v ≈") == 2
+    assert "with w ≈ 2.801 m s⁻¹ from part (a): speed of B ≈ 2.80 m s⁻¹" in own
+    assert "with w ≈ 1.131 m s⁻¹ from part (a): speed of B ≈ 1.13 m s⁻¹" in own
+
+
+def test_no_case_works_out_once_more_by_what_it_is_told() -> None:
+    parts = worked(
+        "sphere A: mass m, velocity 5u i + 3u j\nsphere B: mass k m, at rest\n"
+        "A hits B: along i, e = 1/2\ngiven speed(A) = sqrt(10) u\npart a\nfind k\n"
+        "part b\nfind velocity(B), velocity(A)\npart c\nfind energy_lost"
+    )
+    assert "If k = 4: Substituting for k: w = 3u/2" in parts["b"]
+    own = parts["c"]
+    assert own.startswith("If k = 4: Kinetic energy lost, by the components that change,")
+    assert "½m((5u)² − u²) − ½ × 4m(3u/2)² = 15mu²/2" in own

@@ -46,14 +46,17 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
         for option in options
     ]
     first = drafts[0]
-    if not all(_alike(draft.lines[:split], first.lines[:split]) for draft in drafts):
+    # The alternatives may be those of an earlier part, of which all lines stay.
+    start = max(split, len(before.lines))
+    if not all(_alike(draft.lines[:start], first.lines[:start]) for draft in drafts):
         raise NotPlannedError("solutions that differ before they part")
     desk = first.fork()
-    desk.lines, desk.ends, desk.splits = first.lines[:split], list(before.ends), ()
+    desk.lines, desk.ends, desk.splits = first.lines[:start], list(before.ends), ()
     desk.cases = list(before.cases)
     ends: list[ItemEnd] = []
     for option, group in zip(options, groups, strict=True):
-        for end in _added_case(before, desk, _joined(before, group, depth + 1), split, option):
+        branch = _joined(before, group, depth + 1)
+        for end in _added_case(before, desk, branch, split, option):
             if end not in ends:
                 ends.append(end)
     items = list(dict.fromkeys(end.item for end in ends))
@@ -98,9 +101,10 @@ def without_idle(derivation: Derivation) -> Derivation:
 
 def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) -> list[ItemEnd]:
     """Adds what follows from one of some alternatives; returns its last lines of items."""
-    numbers = _added(desk, draft, split)
+    start = max(split, len(before.lines))
+    numbers = _added(desk, draft, split, start)
     own = tuple(
-        numbers[line.number] for line in draft.lines[split:] if split in draft.under(line.number)
+        numbers[line.number] for line in draft.lines[start:] if split in draft.under(line.number)
     )
     count = len(desk.cases) + 1
     desk.cases.append(Case(count, split, option, own))
@@ -120,15 +124,15 @@ def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) 
     return ends
 
 
-def _added(desk: Desk, draft: Desk, split: int) -> dict[int, int]:
-    """Adds the lines of one solution below the split; returns their new numbers by the old."""
+def _added(desk: Desk, draft: Desk, split: int, start: int) -> dict[int, int]:
+    """Adds the lines of one solution from a start on; returns their new numbers by the old."""
     numbers: dict[int, int] = {}
-    for line in draft.lines[split:]:
+    for line in draft.lines[start:]:
         premises = tuple(_renumbered(premise, numbers) for premise in line.premises)
         again = None
         if split not in draft.under(line.number):
             again = next(
-                (e.number for e in desk.lines[split:] if e.relation == line.relation), None
+                (e.number for e in desk.lines[start:] if e.relation == line.relation), None
             )
         if again is not None:
             numbers[line.number] = again

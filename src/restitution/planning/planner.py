@@ -46,6 +46,7 @@ from restitution.planning.cases import joined, without_idle
 from restitution.planning.clashes import write_clash
 from restitution.planning.closing.complements import with_complements
 from restitution.planning.closing.wanted_letters import with_wanted_letters
+from restitution.planning.earlier_cases import recall_case
 from restitution.planning.early import Early, above_event, early_items, terms
 from restitution.planning.ends_required import (
     require_answer,
@@ -452,6 +453,7 @@ def _drafts(
         scene.kept = open_angles(scene)
         scene.free |= scene.kept
         scene.sided, scene.turned = len(one_side), turned
+        recall_case(scene)
         _write_items(scene, statuses, last)
         drafts.append(draft)
     return drafts

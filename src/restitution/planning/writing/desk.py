@@ -178,6 +178,8 @@ class Desk:
     apart: bool = False
     """Whether the part that is written takes nothing from what another is given in the same words:
     where it has several solutions, that has them too."""
+    within: frozenset[int] = frozenset()
+    """The lines of a case of an earlier part in which the solution stands that is written."""
     withheld: frozenset[str] = frozenset()
     """Facts that the part gives further down: they are not in force yet."""
     assumed: frozenset[str] = frozenset()
@@ -303,6 +305,10 @@ class Desk:
         if hidden and self._rests_on(ref) & hidden:
             return False
         if self.apart:
+            # What one case of an earlier part says does not hold in all of this one.
+            in_cases = {number for case in self.cases for number in case.lines}
+            if (in_cases - self.within) & self._rests_on(ref):
+                return False
             return self._homes(ref) <= {None, self.part}
         scope = self._own[ref] if ref in self._own else self._scopes.get(ref)
         return scope is None or self.part in scope

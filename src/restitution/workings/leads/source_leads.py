@@ -197,6 +197,7 @@ class SourceLeads(LinesAround):
         relations = [own.relation for own in cited if isinstance(own.relation, Relation)]
         if len(relations) != 2 or isinstance(line.relation, Meaning):
             return None
+        subject = _subject(line.relation)
         for value, other in (relations, relations[::-1]):
             match value:
                 case Relation(((Link(Letter() as letter, "=", right),),)) if letters(right):
@@ -204,7 +205,7 @@ class SourceLeads(LinesAround):
                         {node for tree in trees_of(own) for node in walk(tree)}
                         for own in (other, line.relation)
                     )
-                    if letter in after - before:
+                    if letter != subject and letter in after - before:
                         return self._naming.relation(Relation(((Link(right, "=", letter),),)))
         return None
 
