@@ -27,8 +27,8 @@ def recall_case(scene: Scene) -> None:
     (case,) = own
     desk.splits += ((case.line, case.option),)
     desk.within |= {*case.lines}
-    said = {case.line: case.option} | dict.fromkeys(case.lines, 0)
-    for number, option in said.items():
+    options = {case.line: case.option} | dict.fromkeys(case.lines, 0)
+    for number, option in options.items():
         relation = desk.line(number).relation
         if not isinstance(relation, Relation):
             continue
