@@ -280,3 +280,40 @@ def test_a_range_of_an_offset_for_a_deflection_has_each_of_its_lines() -> None:
         "A hits B: offset d, e = 1/2\ngiven deflection(A) >= 30°\nfind range of d"
     )
     assert "4a⁴ − 21a²d² + 9d⁴ ≤ 0" in printed(problem, derivation)
+
+
+DECIMALS = """
+sphere A, B: mass 0.2, radius 5 cm
+sphere A: velocity 3i
+sphere B: at rest
+A hits B: offset 4 cm, e = 0.9
+part a
+find angle(velocity(A, 0), line_of_centres)
+part b
+find speed(A)
+part c
+find deflection(A)
+"""
+
+
+def test_an_angle_by_an_offset_is_that_of_its_sine_and_a_deflection_takes_it() -> None:
+    problem, derivation = planned(DECIMALS)
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "sin β = 0.04/(2 × 0.05) = 0.4" in text
+    assert "β = arcsin 0.4 ≈ 23.6°" in text
+    assert "tan θ = 1.2/(3√21/100)" in text
+    assert "δ = θ − β = arctan(40√21/21) − arcsin 0.4" in text
+    assert "cos δ" not in text
+
+
+def test_the_words_of_an_offset_are_said_once() -> None:
+    problem, derivation = planned("""
+sphere A: mass 1, velocity 5i, radius 0.4
+sphere B: mass 2, at rest
+A hits B: offset 0.62, e = 0.5
+find speed(A), deflection(A)
+""")
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert text.count("At the impact the centres are 0.8 m apart") == 1
+    assert "Let β be the angle between the line of centres and the path of A: sin β = 0.62/" in text
+    assert "δ = 90° − β = 90° − arcsin 0.775" in text

@@ -111,7 +111,8 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
         return None, _without_copies(_distinct(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
     if not mistakes:
-        notes = (*story.notes, *doubts(problem, text))
+        # Of two spheres of one line the same is read once.
+        notes = tuple(dict.fromkeys((*story.notes, *doubts(problem, text))))
         return replace(with_plain_walls(problem), notes=notes), []
     for number, met in enumerate(mistakes):
         if number >= _CURED:

@@ -241,15 +241,16 @@ def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
 
 
 def in_degrees_of(angle: sp.Expr, value: sp.Expr) -> Expression:
-    """An inverse tangent: in degrees where it is plain, else as it is."""
+    """An inverse tangent, sine or cosine: in degrees where it is plain, else as it is."""
     if is_in_degrees(angle):
         plain = tidy_angle(angle)  # arctan(tan 50°) is 50°
         angle = plain if (plain / sp.pi).is_Rational else angle
-    degrees = sp.nsimplify(angle * 180 / sp.pi) if not angle.has(sp.atan, sp.acos) else None
+    inverse = angle.has(sp.atan, sp.acos, sp.asin)
+    degrees = None if inverse else sp.nsimplify(angle * 180 / sp.pi)
     if degrees is not None and degrees.is_Rational:
         number = Fraction(int(degrees.p), int(degrees.q))
         return Negate(Degrees(-number)) if number < 0 else Degrees(number)
-    function = "arccos" if angle.has(sp.acos) else "arctan"
+    function = "arccos" if angle.has(sp.acos) else "arcsin" if angle.has(sp.asin) else "arctan"
     tree = tree_of(in_tangents(value) if value.is_number else value)
     if function == "arctan" and isinstance(tree, Negate):
         return Negate(Apply(function, tree.operand))

@@ -27,6 +27,7 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.axes.by_changes import write_wall
 from restitution.planning.formulas.angle_formulas import cosine
 from restitution.planning.formulas.definitions import Formula, write_formula
+from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
     size_that_stands,
@@ -35,6 +36,7 @@ from restitution.planning.formulas.velocity_formulas import (
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import product, square, total, tree_of
 from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.ratio_of_an_angle import Ratio
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.solving.story.letters import roles
@@ -213,8 +215,24 @@ def sine_of_an_offset(scene: Scene, asked: Quantity, letter: str, meaning: Ref) 
         return None
     subject = Apply("sin", Letter(letter))
     whole = chain(subject, (own.sine, None), (tree_of(value), "rearrange"))
-    pool = (fact.id, meaning)
+    moving = (node for node in asked.arguments if is_quantity(node, "velocity"))
+    paths = (f"velocity {node.arguments[0].name}" for node in moving)  # type: ignore[union-attr]
+    pool = (fact.id, meaning, *(ref for ref in paths if ref in scene.facts))
     return scene.judge.write((Move("define", "scalar-angle", impact),), pool, whole)
+
+
+def ratio_by_an_offset(scene: Scene, asked: Quantity, extent: str) -> Ratio | None:
+    """The sine of an angle with a line of centres by the offset; None where that tells none."""
+    if any(is_quantity(node, "velocity") and node.stage for node in asked.arguments):
+        return None  # the path is that before the impact
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, asked)
+    line = sine_of_an_offset(scene, asked, letter, meaning)
+    if line is None:
+        scene.desk.back(mark)
+        return None
+    value = scene.scalar(scene.desk.last_link(line).right)
+    return Ratio(line, letter, "sin", value, extent.format(letter))
 
 
 __all__ = [
@@ -224,7 +242,7 @@ __all__ = [
     "is_line",
     "is_moving",
     "line_source",
-    "sine_of_an_offset",
+    "ratio_by_an_offset",
     "sine_of_the_offset",
     "whole_velocity",
 ]

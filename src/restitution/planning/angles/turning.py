@@ -28,9 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.at_sight import angle_at_sight
-from restitution.planning.angles.decimal_angles import (
-    write_decimal,
-)
+from restitution.planning.angles.decimal_angles import write_decimal
 from restitution.planning.angles.directions import (
     along_an_axis,
     along_the_centres,
@@ -47,7 +45,7 @@ from restitution.planning.angles.lines_between import (
     cosine_of,
     is_line,
     is_moving,
-    sine_of_an_offset,
+    ratio_by_an_offset,
     whole_velocity,
 )
 from restitution.planning.angles.quantities import formula
@@ -74,6 +72,7 @@ from restitution.planning.angles.walls_at_right_angles import (
     by_the_wall_before,
     complement_to_a_wall,
 )
+from restitution.planning.axes.offsets import turns_from_an_offset
 from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import (
@@ -385,6 +384,8 @@ def _angle_of(scene: Scene, own: Ratio) -> Expression:
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
     line_ = asked.arguments[1]
+    if (ratio := ratio_by_an_offset(scene, asked, "0° <= {} <= 90°")) is not None:
+        return ratio
     to_i_or_j = isinstance(unsigned(line_), Unit)
     extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     kept = multiple_of_a_tangent(scene, asked, extent)
@@ -456,13 +457,11 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
 
 def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     """The angle between directions of the plane, walls and lines of centres, by their product."""
-    letter, meaning = letter_of(scene, asked)
     to_a_line = any(map(is_line, asked.arguments))
     extent = "0° <= {} <= 90°" if to_a_line else RANGES["deflection"]
-    sine = sine_of_an_offset(scene, asked, letter, meaning)
-    if sine is not None:
-        value = scene.scalar(scene.desk.last_link(sine).right)
-        return Ratio(sine, letter, "sin", value, extent.format(letter))
+    if (sine := ratio_by_an_offset(scene, asked, extent)) is not None:
+        return sine
+    letter, meaning = letter_of(scene, asked)
     own = angle_of_lines(scene, asked)
     refs = together((meaning,), own.refs)
     line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
@@ -485,6 +484,8 @@ def _deflection(
         return angle
     turn = _turn(scene, body, event, asked, wanted)
     own_ratio = _by_scalar_product(scene, turn)
+    if own_ratio is None and wanted is None and turns_from_an_offset(scene, body, event):
+        own_ratio = _by_turn(scene, asked, wanted)
     if own_ratio is None:
         own_ratio = _by_an_angle_that_stands(scene, turn)
     if own_ratio is None:

@@ -16,7 +16,16 @@ from restitution.explaining.data.offset_angles import offset_angle
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Relation, equality
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.quantities import ANGLES
-from restitution.expression.tree import Apply, Letter, Name, Quantity, is_quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    is_quantity,
+    letters,
+    walk,
+)
 from restitution.planning.formulas.named_angles import free_letter
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import tree_of
@@ -164,6 +173,20 @@ def is_sine_of_an_offset(equation: GivenEquation) -> bool:
     return equation.fact.id.partition(" ")[0] == "axis"
 
 
+def turns_from_an_offset(scene: Scene, body: str, number: int) -> bool:
+    """Whether a sphere turns at a line of centres that an offset gives by its angle with the path.
+
+    Its velocity after the impact does not stand as a vector.
+    """
+    if scene.desk.known(Quantity("velocity", (Name(body),), number)) is not None:
+        return False
+    fact = scene.facts.get(f"axis {number}")
+    match None if fact is None else fact.relation.only[-1].right:
+        case Polar(_, Apply("arcsin")):
+            return True
+    return False
+
+
 def write_sine(scene: Scene, equation: GivenEquation) -> int:
     """The sine of the angle between a line of centres and the path, by an offset."""
     number = int(equation.fact.id.partition(" ")[2])
@@ -219,5 +242,6 @@ __all__ = [
     "is_sine_of_an_offset",
     "paths_beside",
     "sine_of",
+    "turns_from_an_offset",
     "write_sine",
 ]

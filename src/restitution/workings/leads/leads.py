@@ -124,8 +124,9 @@ class Leads(Titles):
         letter = letter_of_offset(line)
         if letter is not None:
             offset = next(e for ref in line.premises if (e := self._derivation.fact(str(ref))))
+            again = offset.id in self._given
             self._given.add(offset.id)
-            return (offset_sentence(offset, self._naming, given=True, letter=letter),)
+            return (offset_sentence(offset, self._naming, given=again, letter=letter),)
         if self.resolves(line) and line.move.id == "define":
             title = self.resolved(line)
             return () if title is None or title == above else (title,)

@@ -56,7 +56,8 @@ def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) ->
 def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None = None) -> Sentence:
     """How an offset gives a line of centres: by the sine of the angle to the path.
 
-    Where the angle is ``given``, that is said next; it may have a ``letter``.
+    Where the angle is ``given``, that is said next. It may have a ``letter``; there all that is
+    ``given`` has been said.
     """
     match fact.relation.only[0].right:
         case Polar(_, Apply(_, Binary("/", beside, apart)), origin):
@@ -87,6 +88,8 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None 
         "apart": _length(naming, tree_of(tidy(worth(apart)))),
         "sine": sides[0] if sides[0] == sides[1] else lay.Relation(sides, ("=",)),
     }
+    if letter is not None and given:
+        return say("offset.letter-again", letter=naming.layout(Letter(letter)), path=path)
     if letter is not None:
         del slots["sine"]
         return say("offset.letter", letter=naming.layout(Letter(letter)), **slots)

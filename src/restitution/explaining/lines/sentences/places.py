@@ -22,6 +22,7 @@ SENTENCES: Mapping[str, str] = {
         "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
         "Let {letter} be the angle between the line of centres and that path:"
     ),
+    "offset.letter-again": "Let {letter} be the angle between the line of centres and {path}:",
     "offset.none": (
         "At the impact the centre of {other} is on {path}. So the line of centres is along that "
         "path:"
