@@ -264,3 +264,29 @@ def test_no_case_works_out_once_more_by_what_it_is_told() -> None:
     own = parts["c"]
     assert own.startswith("If k = 4: Kinetic energy lost, by the components that change,")
     assert "½m((5u)² − u²) − ½ × 4m(3u/2)² = 15mu²/2" in own
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        (
+            "sphere A: mass m, velocity u at theta\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = 1/2\ngiven tan(theta) = t\npart a\n"
+            "show tan(deflection(A)) = 3t/(1 + 4t^2)",
+            "(4 tan θ − tan θ)/(1 + 4 tan²θ) = 3 tan θ/(1 + 4 tan²θ) Since tan θ = t: "
+            "tan δ = 3t/(1 + 4t²) (as required)",
+        ),
+        (
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+            "given tan(alpha) = t\npart a\nshow tan(deflection(P)) = 3t/(2 - t^2)",
+            "= 3 tan α/(2 − tan²α) Since tan α = t: tan δ = 3t/(2 − t²) (as required)",
+        ),
+    ],
+    ids=["spheres", "wall"],
+)
+def test_a_letter_for_a_tangent_comes_after_the_tangent_of_a_turn(
+    statement: str, line: str
+) -> None:
+    parts = worked(statement)
+    assert line in parts["a"]
+    assert "vector product" not in parts["a"]

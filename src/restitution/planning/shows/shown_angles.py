@@ -248,5 +248,6 @@ class ShownAngles(ABC):
         if written is None:
             # By a letter of the statement for a tangent.
             known = self._known(letters(first) | letters(right))
-            written = self.judge.write((Move("put"),), [line, *named, *known], self.relation)
+            pool = [line, *named, *known]
+            written = self.judge.write((Move("put"),), pool, self.relation) or self._last(pool)
         return written
