@@ -222,3 +222,16 @@ find e in terms of beta
     for size in (0.3, 0.6):
         worth = sp.N(answer.value.subs(dict.fromkeys(answer.value.free_symbols, size)))
         assert abs(worth - sp.N((sp.tan(b) / sp.tan(2 * b)).subs(b, size))) < 1e-9
+
+
+def test_the_angle_of_a_path_along_an_axis_with_a_wall_in_letters_is_that_letter() -> None:
+    problem, derivation = planned("""
+wall W: along theta
+sphere P: mass m, velocity u i
+P hits W
+find tan(deflection(P))
+""")
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "P moves at θ to W." in text
+    assert "δ = θ + β" in text
+    assert "u sin θ/(u cos θ) = tan θ" not in text.replace("eu sin θ/(u cos θ) = e tan θ", "")

@@ -81,8 +81,11 @@ def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees
     match fact.relation.only[0].right:
         case Polar(_, size, wall=Name(name)) if name == frame.wall:
             angle = size
-        case Polar(wall=None) if wall is not None:
-            angle = angle_to_a_line(scene, body, wall.relation.only[0].right)
+        case right if wall is not None:
+            line = wall.relation.only[0].right
+            # One along an axis is read off: u at θ to a wall that makes θ with it.
+            plain = isinstance(right, Polar) or isinstance(line, Letter)
+            angle = angle_to_a_line(scene, body, line) if plain else None
     return angle if isinstance(angle, Letter | Degrees) else None
 
 
