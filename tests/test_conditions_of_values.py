@@ -120,3 +120,19 @@ find range of alpha
     )
     assert "This holds for" in said
     assert "This holds for" not in unsaid
+
+
+@pytest.mark.parametrize(
+    ("place", "condition"), [("at (a, 0)", "a < 0"), ("at (-a, 0)", ""), ("at (4 - a, 0)", "")]
+)
+def test_a_time_that_looks_negative_says_for_which_places_it_holds(
+    place: str, condition: str
+) -> None:
+    statement = f"""
+wall W: along j, through (0, 0)
+sphere P: {place}, velocity u i
+P hits W
+find time(1)
+"""
+    (item,) = solve(parse(statement)).parts[None].items
+    assert " ".join(item.answers[0].condition) == condition

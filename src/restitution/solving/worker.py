@@ -82,7 +82,7 @@ from restitution.solving.equations.solution import (
 )
 from restitution.solving.equations.stages import by_nested_roots
 from restitution.solving.equations.verify import verify_principles, verify_value
-from restitution.solving.ranges.validity import Limitation, limitations, with_condition
+from restitution.solving.ranges.validity import Limitation, limitations, of_a_time, with_condition
 from restitution.solving.story import missing
 from restitution.solving.story.conditions import Equation
 from restitution.solving.story.forward import Story
@@ -512,7 +512,7 @@ class Worker:
         key = id(trial)
         if key not in self.limits:
             self.limits[key] = limitations(outcome, trial) if trial.root.values else ()
-        limits = self.limits[key]
+        limits = self.limits[key] or of_a_time(outcome, trial, item.expression, answer.value)
         if not limits:
             return answer
         plain = value_layout(answer.value, kind, answer.angle, item.percentage)

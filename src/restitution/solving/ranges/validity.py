@@ -19,6 +19,7 @@ from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.exact.symbols import operations_in, symbol_names
 from restitution.expression.enclosed import UndefinedError
+from restitution.expression.tree import Expression, is_quantity
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -29,7 +30,7 @@ from restitution.oracle import (
     letters_of,
     relations,
 )
-from restitution.oracle.roles import REAL, Role
+from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.records import dataclass
 from restitution.render.layout import Layout, Phrase, Words, from_set, relation
 from restitution.render.text import to_text
@@ -84,6 +85,34 @@ def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
         if _is_of_visible_letters(demand) and not base.decide(demand.formula)
     ]
     return tuple(_limits(outcome, trial, base, _needed(base, rest)))
+
+
+def of_a_time(
+    outcome: Outcome, trial: Trial, asked: Expression, time: sp.Expr
+) -> tuple[Limitation, ...]:
+    """For which values of a coordinate a time is positive that looks negative: −a/u, for a < 0.
+
+    That a body comes to a wall asks for it; but who sees the letter for a place thinks of a
+    positive one, from where the body would move away.
+    """
+    roles = outcome.letters.all_roles()
+    names = symbol_names(time) if is_quantity(asked, "time") else set()
+    real = [name for name in names if roles.get(name) == REAL]
+    if len(real) != 1 or not names <= roles.keys():
+        return ()
+    (name,) = real
+    needs = demands_for(outcome.setting.requirements(outcome.open_story))[0]
+    facts = tuple(demand.formula for demand in needs if _is_of_visible_letters(demand))
+    put = {x: roles[x.name].symbol(x.name) for x in time.free_symbols}
+    plain = {x: POSITIVE.symbol(x.name) if x.name == name else own for x, own in put.items()}
+    if not Oracle({**roles, name: POSITIVE}).decide(Relation(-time.xreplace(plain), ">")):
+        return ()  # of d/p, or (d − a)/p, it is seen
+    base, claim = Oracle(roles, facts), Relation(time.xreplace(put), ">")
+    demand = Demand(claim, "", "time")
+    region = None if base.decide(claim) else _region(outcome, trial, base, [demand], name)
+    if not isinstance(region, sp.Interval) or not _is_everywhere(base, region):
+        return ()
+    return (bounds_of(name, region, base.roles),)
 
 
 def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
