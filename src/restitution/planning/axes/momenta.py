@@ -7,7 +7,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import Expression, Letter, Name, Polar, Quantity, walk
-from restitution.planning.axes.by_changes import take_impulse, take_known_impulse
+from restitution.planning.axes.by_changes import take_impulse, take_known_impulse, take_opposite
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -28,7 +28,7 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     own = Quantity("velocity", (Name(body),), stage)
     if stage not in scene.model.frames or scene.desk.known(own) is not None:
         return False
-    if take_known_impulse(scene, body, stage):
+    if take_known_impulse(scene, body, stage) or _by_opposite_impulse(scene, body, stage):
         return True
     component = scene.model.components.get((stage, body))
     if component is not None and scene.desk.known(Letter(component.symbol.name)) is not None:
@@ -129,6 +129,25 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
                 return True
             case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:
                 return True
+    return False
+
+
+def _by_opposite_impulse(scene: Scene, body: str, stage: int) -> bool:
+    """Whether a velocity is written by the impulse on the other sphere, whose own start is sought.
+
+    Not where the velocity before is sought, or the impulse holds what is open.
+    """
+    others = [sphere for sphere in scene.spheres(stage) if sphere != body]
+    if any(map(scene.unknown, scene.velocity(body, stage - 1))):
+        return False
+    if any(f"velocity {sphere}" in scene.facts for sphere in others):
+        return False
+    impulses = [Quantity("impulse", (Name(sphere),), stage) for sphere in others]
+    for equation in scene.given:
+        if equation.link.left in impulses and equation.link.sign == "=":
+            if any(map(scene.unknown, scene.vector(equation.link.right))):
+                return False
+            return take_opposite(scene, equation) is not None
     return False
 
 

@@ -55,11 +55,17 @@ def _write(scene: Scene, body: str, events: list[int]) -> bool:
     source = Source(given[1], given[2])
     for number, stage in zip(reversed(events), (*reversed(events[:-1]), 0), strict=True):
         source = _before(scene, body, number, stage, source)
+    take_start(scene, body, source)
+    return True
+
+
+def take_start(scene: Scene, body: str, source: Source) -> None:
+    """The letters of a velocity at the start, by a line that says what it is."""
     if f"velocity {body}" not in scene.facts:
         # No letters are printed for a velocity that the statement leaves open.
         for letter, part in zip(scene.velocity(body, 0), source.value, strict=True):
             scene.desk.know(Letter(letter.name), part, source.refs)
-        return True
+        return
     data = scene.initial(body)
     link = chain(tree_of(data.value), (tree_of(source.value), None))
     whole = scene.judge.write((Move("put"),), (*source.refs, *data.refs), link)
@@ -71,7 +77,6 @@ def _write(scene: Scene, body: str, events: list[int]) -> bool:
         if line is None:
             raise NotPlannedError("the letters of a velocity by its components")
         scene.desk.know(Letter(letter.name), part, (line,))
-    return True
 
 
 def _before(scene: Scene, body: str, number: int, stage: int, late: Source) -> Source:
