@@ -140,7 +140,7 @@ def test_what_is_left_of_two_spheres_tells_the_share_that_is_lost() -> None:
         "part c\ngiven energy >= 7/8 energy(0)\nfind range of alpha\n"
     )
     lost = "kinetic energy lost = ¼ × total kinetic energy before the impact M1"
-    assert f"{lost} Substituting for the fraction lost: ⅜ cos²α = ¼" in parts["b"]
+    assert f"{lost} Substituting for the fraction lost from part (a): ⅜ cos²α = ¼" in parts["b"]
     assert "⅜ cos²α ≤ ⅛" in parts["c"]
 
 

@@ -64,6 +64,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
+from restitution.explaining.lines.trees import is_share_of_energy
 from restitution.expression.tree import (
     Letter,
     Quantity,
@@ -647,7 +648,7 @@ class _Awarding:
         link = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
         return (
             link is not None
-            and subject_of(line) is not None
+            and (subject_of(line) is not None or is_share_of_energy(line))
             and not (letters(link[1]) & self.new)
             and not has_quantity(link[1])
         )

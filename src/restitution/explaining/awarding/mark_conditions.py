@@ -25,7 +25,7 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Relation,
 )
-from restitution.explaining.lines.trees import trees_of
+from restitution.explaining.lines.trees import is_share_of_energy, trees_of
 from restitution.expression.quantities import LOSSES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -282,6 +282,12 @@ def _is_share_of_the_data(work: Work, line: Line) -> bool:
             lost = any(other.shown == "silent" for other in cited) or len(cited) == 1
             return kind in LOSSES and lost and all(rests_on_facts(work, e) for e in cited)
     return False
+
+
+def _of_shares(work: Work, line: Line) -> bool:
+    """It is made of lines that say which shares of an energy are lost, or kept."""
+    cited = list(work.cited(line))
+    return bool(cited) and all(map(is_share_of_energy, cited))
 
 
 def _at_sight(work: Work, line: Line) -> bool:
@@ -654,6 +660,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "fact-of-motion": _fact_of_motion,
     "claim-without-method": _claim_without_method,
     "share-of-the-data": _is_share_of_the_data,
+    "of-shares": _of_shares,
     "of-an-offset": _of_an_offset,
     "displaced": displaced,
     "of-an-impulse": _of_an_impulse,

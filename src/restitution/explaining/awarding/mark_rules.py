@@ -187,13 +187,17 @@ RULES: tuple[Rule, ...] = (
         ("place-of-facts", "goes-on"),
     ),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
-    _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
+    _rule(
+        "place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way", "at-once")
+    ),
     _rule(
         "time-by-the-data", ("define",), "B", ("straight-line",), ("of-facts", "time", "on-the-way")
     ),
     _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
     _rule("energy-lost-by-the-data", ("define",), "M A", ("energy-lost",), ("of-facts",)),
     _rule("share-by-the-data", ("define",), "M", ("energy-ratio",), ("of-facts", "on-the-way")),
+    _rule("share-asked-by-the-data", ("define",), "M A", ("energy-ratio",), ("of-facts",)),
+    _rule("share-by-other-shares", ("define",), "", ("energy-ratio",), ("of-shares",)),
     _rule("data", ("define",), "", ENERGIES, ("of-facts", "on-the-way")),
     _rule("place-on-the-way", ("define",), "M V", ("straight-line",), ("goes-on",)),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),

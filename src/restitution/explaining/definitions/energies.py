@@ -252,12 +252,13 @@ def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
         return
     spheres = [body for body in event.bodies if body in step.setting.spheres]
     cited = _cited_energies(step)
-    for form in ("components", "along", "vectors", "speed", "energy"):
+    forms = ("components", "along", "vectors", "speed", "energy")
+    for early, late in (*zip(forms, forms, strict=True), ("vectors", "speed")):
         terms = [
             Binary(
                 "-",
-                _kinetic(step, form, body, event.number - 1, event, cited),
-                _kinetic(step, form, body, event.number, event, cited),
+                _kinetic(step, early, body, event.number - 1, event, cited),
+                _kinetic(step, late, body, event.number, event, cited),
             )
             for body in spheres
         ]
@@ -285,6 +286,7 @@ def fraction_lost(step: Step, event: Event | None) -> Iterator[Link]:
     if event is None or len(step.setting.spheres) != 1:
         return
     (body,) = step.setting.spheres
+    yield from _of_earlier_energies(step, event, body)
     for kind, stage in (("energy_lost", event.number - 1), ("total_energy_lost", 0)):
         lost = Quantity(kind, (), event.number)
         forms = ("speed", "components", "vectors")
@@ -307,6 +309,38 @@ def fraction_lost(step: Step, event: Event | None) -> Iterator[Link]:
         ]
         for (after, before), pair in product(product(*energies), product(late, early)):
             yield Link(Binary("/", after, before), "=", Binary("/", *pair))
+        for after, before in product(*energies):
+            for first in energies[1]:  # what is lost is what is not kept
+                shares = [Binary("/", lost, first), Binary("/", after, before)]
+                for one, other in (shares, shares[::-1]):
+                    yield Link(one, "=", Binary("-", Number(Fraction(1)), other))
+
+
+def _of_earlier_energies(step: Step, event: Event, body: str) -> Iterator[Link]:
+    """What an impact takes of the energy that a sphere had before others; of several the sum."""
+    forms = ("speed", "components", "vectors")
+    number = event.number
+    lost = Quantity("energy_lost", (), number)
+    first, last = (
+        [_squares(form, body, at, event) for form in (*forms, "along")]
+        for at in (number - 1, number)
+    )
+    for stage in range(number):
+        wholes = [_squares(form, body, stage, event) for form in forms]
+        for bodies in ((), (Name(body),)):
+            before = Quantity("energy", bodies, stage)
+            if stage == 0:
+                fractions: list[Expression] = [
+                    Binary("/", Quantity("energy_lost", (), at), before)
+                    for at in range(1, number + 1)
+                ]
+                whole_loss = Quantity("total_energy_lost", (), number)
+                yield Link(Binary("/", whole_loss, before), "=", total_of(fractions))
+            if stage < number - 1:
+                for one, other in zip(first, last, strict=True):
+                    for whole in wholes:
+                        change = Binary("-", one, other)
+                        yield Link(Binary("/", lost, before), "=", Binary("/", change, whole))
 
 
 def _energies_apart(step: Step, event: Event | None) -> Iterator[Link]:

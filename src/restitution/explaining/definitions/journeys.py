@@ -51,6 +51,23 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
                 yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
                 if places != there:
                     yield Link(tree, "=", Apply("abs", Binary("-", there[0], there[1])))
+                if _go_on_from(step, event, (a, b), stage):
+                    then = AtTime(Quantity("time", (), stage))
+                    ends = [_place_of(Quantity("position", (e,), then), event) for e in (a, b)]
+                    yield Link(tree, "=", Apply("abs", Binary("-", *ends)))
+
+
+def _go_on_from(
+    step: Step, event: Event | None, bodies: tuple[Expression, Expression], stage: Any
+) -> bool:
+    """Whether two bodies go on from an impact with each other until a later event."""
+    names = {body.name for body in bodies if isinstance(body, Name)}
+    if event is None or event.kind != "impact" or names != set(event.bodies):
+        return False
+    if not isinstance(stage, int) or stage <= event.number:
+        return False
+    between = (own for own in step.setting.events if event.number < own.number < stage)
+    return not any(names & set(own.bodies) for own in between)
 
 
 def _journeys(step: Step, event: Event) -> Iterator[Link]:
@@ -103,14 +120,16 @@ def _several_ways(step: Step, event: Event) -> Iterator[Link]:
 def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
     """How long two bodies take to close the gap between them, which move along **i**, or **j**.
 
-    It is cited that they meet with no gap left. Their distance is that at an event since which
-    neither has changed how it moves.
+    It is cited that they meet with no gap left, or with two radii between their centres. Their
+    distance is that at an event since which neither has changed how it moves.
     """
     bodies = tuple(map(Name, event.bodies))
     if len(bodies) != 2 or set(step.move.bodies) != set(event.bodies) or event.wall:
         return
     ends = [Quantity("position", (body,), event.number) for body in bodies]
-    if not any({link.left, link.right} == set(ends) and link.sign == "=" for link in step.links):
+    contacts = [link for link in step.links if link.sign == "=" and link.left in ends]
+    together = any({link.left, link.right} == set(ends) for link in contacts)
+    if not together and not any(isinstance(link.right, Binary) for link in contacts):
         return
     own = (
         e.number
@@ -129,10 +148,16 @@ def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
         along = [Quantity("along", (pace, unit_vector(axis))) for pace in paces[::sign]]
         times = (Quantity("time", (), number) for number in (event.number, since))
         quotient = Binary("*", Binary("-", *along), Binary("-", *times))
-        for pair in (bodies, bodies[::-1]):
-            yield Link(Quantity("distance", pair, since), "=", quotient)
-        behind, ahead = (_along("position", body.name, since, axis) for body in bodies[::sign])
-        yield Link(Binary("-", ahead, behind), "=", quotient)
+        late, early = (
+            Binary("-", *(_along("position", e.name, at, axis) for e in bodies[::-sign]))
+            for at in (event.number, since)
+        )
+        lengths: list[Expression] = [
+            Quantity("distance", own, since) for own in (bodies, bodies[::-1])
+        ]
+        for length in (*lengths, early):
+            left = length if together else Binary("-", length, late)
+            yield Link(left, "=", quotient)
 
 
 def _along(kind: str, body: str, stage: int, axis: str) -> Quantity:

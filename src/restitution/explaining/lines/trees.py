@@ -9,8 +9,8 @@ from functools import lru_cache
 from operator import is_
 from typing import Any
 
-from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Meaning, Relation
-from restitution.expression.quantities import LASTING
+from restitution.explaining.lines.derivation import FLIPPED, Event, Line, Link, Meaning, Relation
+from restitution.expression.quantities import LASTING, LOSSES
 from restitution.expression.tree import (
     LEAVES,
     PARTS,
@@ -129,6 +129,16 @@ def of_relation(relation: Relation, change: Callable[[Expression], Expression]) 
 def trees_of(relation: Relation | Meaning) -> tuple[Expression, ...]:
     """The trees of a relation, or of a meaning."""
     return relation.trees
+
+
+def is_share_of_energy(line: Line) -> bool:
+    """Whether a line says what an energy, or a loss, is as a share of an energy before."""
+    match line.relation:
+        case Relation(((Link(Binary("/", Quantity(kind), Quantity("energy")), "="), *_),)) if (
+            kind == "energy" or kind in LOSSES
+        ):
+            return True
+    return False
 
 
 def statement_of(relation: Relation) -> frozenset[frozenset[object]]:

@@ -362,7 +362,7 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     )
     if known is not None:
         return known
-    by_speeds = _lost_by_speeds(scene, quantity, event, _given_speed)
+    by_speeds = _lost_by_speeds(scene, quantity, event, given_speed)
     if by_speeds is not None:
         return by_speeds
     if event not in scene.model.frames:
@@ -383,6 +383,9 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         by_speeds = _lost_by_speeds(scene, quantity, event, known_in)
         if by_speeds is not None and _follows(scene, by_speeds):
             return by_speeds
+    by_speeds = _lost_by_speeds(scene, quantity, event, _speed_that_was_asked)
+    if by_speeds is not None and _follows(scene, by_speeds):
+        return by_speeds
     terms: list[Expression] = []
     first: Expression | None = None  # at a wall, with the component before as the data have it
     values: list[Any] = []
@@ -412,11 +415,46 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     return Formula(move, itself, quantity, whole, value, pool)
 
 
+def loss_by_given_speeds(scene: Scene, asked: Quantity) -> int | None:
+    """What an impact takes, where the speeds after it are given; None where they are not."""
+    match asked:
+        case Quantity("energy_lost", (), int(event)) if event in scene.model.frames:
+            pass
+        case _:
+            return None
+    own = _lost_by_squares(scene, asked, event, partial(_square_of_data, scene))
+    known = scene.desk.known(asked) is not None
+    return write_formula(scene, own) if own and not known and _follows(scene, own) else None
+
+
+def stands(scene: Scene, body: str, stage: int) -> bool:
+    """Whether a line has the component that an impact has changed, with nothing open in it."""
+    last = scene.last_event(body, stage)
+    if last not in scene.model.frames:
+        return False
+    component = scene.desk.known(scene.frame(last).component("along", body, last))
+    return component is not None and not scene.unknown(component.value)
+
+
+def _square_of_data(scene: Scene, body: str, stage: int) -> _Square | None:
+    """The square of a speed that is given; at the start by the components of the data too.
+
+    None after an impact for which a line has the component that changed: by that it is shorter.
+    """
+    given = given_speed(scene, body, stage)
+    if given is not None and not stands(scene, body, stage):
+        return square(tree_of(given.value)), given.value**2, given.refs
+    if scene.last_event(body, stage):
+        return None
+    own = squares(scene, body, 0)
+    return None if scene.unknown(own[1]) else own
+
+
 def _square_that_was_shown(scene: Scene, body: str, stage: int) -> _Square | None:
     """The square of a speed that was to be shown; at the start, of one that the data give."""
     last = scene.last_event(body, stage)
     if not last:
-        given = _given_speed(scene, body, stage)
+        given = given_speed(scene, body, stage)
         return None if given is None else (square(tree_of(given.value)), given.value**2, given.refs)
     shown = shown_square(scene, body, last)
     if shown is not None:
@@ -547,7 +585,7 @@ def _is_open(scene: Scene, body: str, frame: Frame) -> bool:
 
 def _plain_speed(scene: Scene, body: str, stage: int) -> Source | None:
     """A speed that is given, or a line with nothing open in it."""
-    given = _given_speed(scene, body, stage)
+    given = given_speed(scene, body, stage)
     if given is not None:
         return given
     known = known_speed(scene, body, scene.last_event(body, stage))
@@ -558,6 +596,17 @@ def _short_speed(scene: Scene, body: str, stage: int) -> Source | None:
     """A speed that is given or a line, and no sum."""
     plain = _plain_speed(scene, body, stage)
     return None if plain is None or plain.value.has(sp.Add) else plain
+
+
+def _speed_that_was_asked(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed with which an item ends, that is no sum; at the start one that the data give."""
+    last = scene.last_event(body, stage)
+    if not last:
+        still = all(part == 0 for part in scene.velocity(body, 0))
+        return _read_off(scene, body, 0) if still else given_speed(scene, body, 0)
+    known = _short_speed(scene, body, stage)
+    lines = () if known is None else numbers_in(known.refs)
+    return known if any(end.line in lines for end in scene.desk.ends) else None
 
 
 def _read_off(scene: Scene, body: str, stage: int) -> Source | None:
@@ -577,7 +626,7 @@ def _read_off(scene: Scene, body: str, stage: int) -> Source | None:
     return Source(size, together(known.refs, refs)) if sign else None
 
 
-def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
+def given_speed(scene: Scene, body: str, stage: int) -> Source | None:
     """A speed that the data give, with a direction at an angle or as a fact about the motion."""
     last = scene.last_event(body, stage)
     size: Any = None

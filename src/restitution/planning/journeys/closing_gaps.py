@@ -8,10 +8,11 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Binary, Name, Negate, Quantity
-from restitution.planning.formulas.whereabouts import standing, start, velocity
+from restitution.planning.formulas.whereabouts import offset_at, standing, start, velocity
 from restitution.planning.journeys.flights import time_since
 from restitution.planning.writing.desk import Source, chain, together
-from restitution.planning.writing.forms import difference, negative, swept, total, tree_of
+from restitution.planning.writing.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.writing.forms import number as number_tree
 from restitution.planning.writing.place_trees import Axis
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -28,7 +29,7 @@ def time_of_closing(
     """The time from an event to the impact of a pair that moves along an axis.
 
     ``places`` are the coordinates of both at that event. None where it does not follow: where they
-    move in two directions, or touch with their centres apart.
+    move in two directions.
     """
     beside: Axis = "j" if axis == "i" else "i"
     paces = {body: velocity(scene, body, begin, axis) for body in pair}
@@ -44,7 +45,13 @@ def time_of_closing(
         refs = together(first.refs, last.refs)
     else:
         gap, above, refs = apart.value, tree_of(apart.value), apart.refs
-    if scene.unknown(gap):
+    radii = tidy(scene.put(-offset_at(scene, behind, number, axis))[0])
+    if radii != 0:
+        gap, above = (
+            tidy(gap - radii),
+            difference(above, product(number_tree(2), tree_of(radii / 2))),
+        )
+    if scene.unknown(gap) or scene.unknown(radii):
         return None
     terms = [tree_of(paces[behind].value), negative(tree_of(paces[ahead].value))]
     if isinstance(swept(terms[0]), Negate) and not isinstance(swept(terms[1]), Negate):

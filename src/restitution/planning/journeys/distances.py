@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, numbers_in
 from restitution.expression.tree import Apply, AtTime, Expression, Name, Pair, Quantity, Unit
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.separations import separation_known
@@ -21,7 +21,14 @@ from restitution.planning.formulas.whereabouts import (
 )
 from restitution.planning.journeys.flown import flown
 from restitution.planning.journeys.instants import piece, place_then, time_since
-from restitution.planning.journeys.places import coordinate, leg, place, spot, time_of
+from restitution.planning.journeys.places import (
+    coordinate,
+    flight_time,
+    leg,
+    place,
+    spot,
+    time_of,
+)
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
@@ -30,6 +37,7 @@ from restitution.planning.writing.place_trees import (
     Axis,
     coordinate_tree,
     duration_tree,
+    place_tree,
     time_tree,
 )
 from restitution.planning.writing.polynomials import expanded, factored
@@ -45,6 +53,8 @@ def distance(scene: Scene, asked: Quantity) -> Source:
         together_ = _distance_since_contact(scene, asked)
         if together_ is not None:
             return together_
+    elif (together_ := _distance_at_an_event(scene, asked)) is not None:
+        return together_
     length = _as_a_path(scene, asked)
     if length is not None:
         return length
@@ -282,13 +292,58 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     if len(names) != 2 or len(pieces) != 1:
         return None
     (met,) = pieces
-    if not met or set(scene.bodies(met)) != set(names) or met not in scene.model.frames:
+    if not _are_together(scene, met, names):
         return None
-    if are_apart(scene, met):
-        return None
-    frame = scene.frame(met)
     early = time_of(scene, met)
-    flight, length, more = time_since(scene, asked.stage.time, met, early)
+    return _since_contact(scene, asked, met, time_since(scene, asked.stage.time, met, early))
+
+
+def _distance_at_an_event(scene: Scene, asked: Quantity) -> Source | None:
+    """How far apart two bodies are that met last, at an event of one of them.
+
+    None where they met others in between, and where a place of one is asked, or is a line already.
+    """
+    names = [argument.name for argument in asked.arguments if isinstance(argument, Name)]
+    stage = asked.stage
+    if not isinstance(stage, int) or len(names) != 2:
+        return None
+    if not set(names) <= set(scene.model.story.spheres):
+        return None
+    events = {last_move(scene, name, stage) for name in names}
+    met = min(events)
+    if len(events) != 1 or not _are_together(scene, met, names):
+        return None
+    trees = [(place_tree(name, stage), *_coordinates(name, stage)) for name in names]
+    if any(standing(scene, tree) or tree in scene.asked_alone for own in trees for tree in own):
+        return None
+    mark = scene.desk.mark()
+    own = _since_contact(scene, asked, met, flight_time(scene, met, stage))
+    lines = map(scene.desk.line, numbers_in(own.refs))
+    if all(scene.judge.follows(e.move, e.premises, scene.desk.relation(e.number)) for e in lines):
+        return own
+    scene.desk.back(mark)
+    return None
+
+
+def _coordinates(body: str, stage: int) -> tuple[Expression, ...]:
+    return tuple(coordinate_tree(body, stage, axis) for axis in AXES)
+
+
+def _are_together(scene: Scene, met: int, names: Sequence[str]) -> bool:
+    """Whether an event is an impact of two bodies that are particles."""
+    if not met or set(scene.bodies(met)) != set(names) or met not in scene.model.frames:
+        return False
+    return not are_apart(scene, met)
+
+
+def _since_contact(
+    scene: Scene,
+    asked: Quantity,
+    met: int,
+    flight: tuple[Expression, sp.Expr, tuple[Ref, ...]],
+) -> Source:
+    """The line of a distance by the relative velocity after an impact, and the time since."""
+    frame, (tree, length, more) = scene.frame(met), flight
     names = list(scene.bodies(met))
     apart = separation_known(scene, frame)
     across = [in_direction(scene, "across", name, met, frame) for name in names]
@@ -305,4 +360,4 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
         *(source.whole for source in (*a, *b)),
     )
     values = [[source.value for source in own] for own in (a, b)]
-    return _write_distance(scene, asked, met, used, values[0], values[1], (flight, length))
+    return _write_distance(scene, asked, met, used, values[0], values[1], (tree, length))

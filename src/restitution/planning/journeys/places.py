@@ -133,7 +133,8 @@ def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source 
     if other is None or not any(True for _ in contact_of(scene, stage)):
         return None
     theirs = standing(scene, coordinate_tree(other, stage, axis))
-    if theirs is None and rests(scene, other, stage):
+    since = last_move(scene, other, stage)
+    if theirs is None and (rests(scene, other, stage) or keeps_still(scene, other, since, axis)):
         theirs = coordinate_moved(scene, other, stage, axis)
     if theirs is None:
         return None
@@ -564,9 +565,16 @@ def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Sourc
         approaches = [_approach(scene, body, number) for body in scene.bodies(number)]
         return start(scene)[0], time_of_touching(scene, number, approaches)
     for body, other in ((step.first, step.second), (step.second, step.first)):
-        if rests(scene, other, number):
+        if rests(scene, other, number) or _comes_across(scene, number, body, other):
             return _leg_to_resting(scene, number, body, other)
     return _leg_of_two(scene, number, step.first, step.second)
+
+
+def _comes_across(scene: Scene, number: int, body: str, other: str) -> bool:
+    """Whether the other sphere keeps its coordinate in the direction in which they approach."""
+    axis = axis_of_approach(scene, number, body, other)
+    own, theirs = (velocity(scene, e, last_move(scene, e, number), axis) for e in (body, other))
+    return theirs.value == 0 and own.value != 0
 
 
 def _approach(scene: Scene, body: str, number: int) -> Approach:

@@ -53,7 +53,8 @@ from restitution.planning.closing.squared_ratios import (
     write_by_squares,
 )
 from restitution.planning.formulas.definitions import Formula, write_formula
-from restitution.planning.formulas.energy_formulas import speed_by_its_energy
+from restitution.planning.formulas.energy_formulas import loss_by_given_speeds, speed_by_its_energy
+from restitution.planning.formulas.fractions_lost import share_by_given_speed
 from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.formulas.shares_left import speed_by_a_fact
@@ -127,10 +128,11 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
 
 def _at_once(scene: Scene, asked: Expression) -> int | None:
-    """The line of a speed by a given energy, or of a given share, before anything is determined."""
+    """The line of what given speeds, energies and shares tell, before anything is determined."""
     if not isinstance(asked, Quantity):
-        return None
-    return speed_by_a_fact(scene, asked) or write_given_share(scene, asked)
+        return share_by_given_speed(scene, asked)
+    loss = loss_by_given_speeds(scene, asked)
+    return loss or speed_by_a_fact(scene, asked) or write_given_share(scene, asked)
 
 
 def _determine(scene: Scene, solver: Solver, asked: Expression, *, placed: bool) -> None:

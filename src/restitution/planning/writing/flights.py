@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Ref, Relation
-from restitution.expression.tree import Binary, Expression, Unit, has_quantity
+from restitution.expression.tree import Binary, Expression, Negate, Unit, has_quantity
 from restitution.planning.writing.desk import Source, chain, link, together
 from restitution.planning.writing.forms import (
     ONE,
@@ -127,7 +127,11 @@ def time_quotient(
     ends = [tree_of(last) if end is None else end, tree_of(first)]
     if scene.model.sign(pace) < 0:
         ends, pace = ends[::-1], -pace
-    distance = difference(*ends)
+    match [swept(end) for end in ends]:
+        case [Negate(near), Negate(far)]:
+            distance = difference(far, near)  # 4d − d/2, and not −d/2 + 4d
+        case _:
+            distance = difference(*ends)
     return Binary("/", distance, tree_of(pace) if form is None else form)
 
 

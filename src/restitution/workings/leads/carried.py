@@ -9,7 +9,9 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Mean
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import is_share_of_energy
 from restitution.expression.tree import (
+    Binary,
     Expression,
     Letter,
     Quantity,
@@ -212,6 +214,12 @@ class Carried:
         assert isinstance(line.relation, Relation)
         links = line.relation.only
         left = links[0].left
+        match left:
+            case Binary("/", Quantity("energy_lost", (), int(stage))) if self._naming.several:
+                event = self._naming.called(self._naming.events[stage])
+                return say("fraction-lost.at", event=event)
+            case Binary("/", Quantity("energy"), Quantity("energy")):
+                return say("fraction-lost.of-energies")
         sides = [self._naming.layout(tree) for tree in (left, *(link.right for link in links))]
         if self._ends.of(line) is None and is_turned(self._naming, links, sides):
             return with_article(away(self._naming, left))
@@ -227,7 +235,7 @@ def _is_a_value(line: Line) -> bool:
         and len(chains(relation.only)) == 1
         and relation.only[-1].sign == "="
         and not is_zero(relation.only[-1].right)
-        and isinstance(relation.only[0].left, Letter | Quantity)
+        and (isinstance(relation.only[0].left, Letter | Quantity) or is_share_of_energy(line))
         and line.shown != "silent"
         and line.move.id not in ("triangle", "fact")
     )

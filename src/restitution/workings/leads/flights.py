@@ -250,7 +250,7 @@ def _is_on_a_diameter(derivation: Derivation, line: Line) -> bool:
     )
 
 
-def distance_title(derivation: Derivation, line: Line) -> Sentence:
+def distance_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
     """The title of a distance: of the way of a body, of bodies that met, or by coordinates."""
     level = _apart_along_the_line(derivation, line)
     if level is not None:
@@ -273,7 +273,10 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
                     return say("flight.title-of", body=body)
     if any(_tells_a_displacement(derivation, ref) for ref in line.premises):
         return say("distance.displacements")
-    return say("distance.relative" if line.move.event else "distance.coordinates")
+    if not line.move.event:
+        return say("distance.coordinates")
+    met = naming.called(naming.events[line.move.event])
+    return say("distance.relative", event=met)
 
 
 def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:

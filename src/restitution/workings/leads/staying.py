@@ -8,7 +8,15 @@ from fractions import Fraction
 from restitution.explaining.lines.derivation import Derivation, Event, Line, Ref, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Expression, Number, Pair, Quantity, Unit, is_zero
+from restitution.expression.tree import (
+    Expression,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    is_quantity,
+    is_zero,
+)
 from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
@@ -90,7 +98,11 @@ class Staying:
         """
         if (line.move.id, line.move.record) == ("define", "straight-line"):
             assert isinstance(line.relation, Relation)
+            if is_quantity(line.relation.only[0].left, "time"):
+                return False  # when those meet who start in one place
             named = line.number in self._sources.numbers or self._ends.of(line) is not None
+            if len(line.relation.only) > 1:
+                return False  # it is worked out
             return not named and not line.marks and (self.is_idle(line) or self._rests(line))
         if (line.move.id, line.move.record) != ("define", "component"):
             return False

@@ -19,6 +19,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import is_share_of_energy
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Apply,
@@ -151,7 +152,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         if record.id == "chord":
             return chord_title(self._derivation, line, "" if event is None else event.bodies[-1])
         if record.id == "distance":
-            return distance_title(self._derivation, line)
+            return distance_title(self._derivation, self._naming, line)
         name = self._name(record, line, event, bodies)
         if name is None or isinstance(name, Sentence):
             return name
@@ -236,21 +237,60 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             case Quantity("velocity") if one := self._one_component(line):
                 return None if self._in_one_line(event) else one
             case Quantity("position", (Name(body),), _):
-                if (axis := self._stays_on(line)) is not None:
-                    return say("flight.level", body=body, axis=axis)
+                if (level := self._stays_on(line, body)) is not None:
+                    return level
                 return None if self._is_below_its_coordinate(line) else "derived-place.title"
         return record.title(event)
 
-    def _stays_on(self, line: Line) -> str | None:
-        """The axis, x or y, on which a body stays until it is in a place: no line says so."""
+    def _stays_on(self, line: Line, body: str) -> Sentence | None:
+        """The axes on which bodies stay until they are in a place: no line says so.
+
+        None where the body itself does not, nor the one that it meets there.
+        """
+        axes: dict[str, str] = {}
         for own in map(self._cited, line.premises):
             if own is None or own.marks or own.move.record != "straight-line":
                 continue
             match own.relation:
-                case Relation(((Link(Quantity("along", (_, Unit(axis))), "=", right),),)):
-                    if is_zero(right):
-                        return "y" if axis == "i" else "x"
+                case Relation(
+                    (
+                        (
+                            Link(
+                                Quantity("along", (Quantity(_, (Name(name),)), Unit(axis))),
+                                "=",
+                                end,
+                            ),
+                        ),
+                    )
+                ) if is_zero(end):
+                    axes[name] = "y" if axis == "i" else "x"
+        match [axes.pop(body, None), *axes.items()]:
+            case [str(axis)]:
+                return say("flight.level", body=body, axis=axis)
+            case [None, (other, axis)]:
+                return say("flight.meets-level", body=body, other=other, axis=axis)
+            case [str(axis), (other, second)]:
+                return say("flight.both-level", body=body, axis=axis, other=other, second=second)
         return None
+
+    def _of_a_share(self, record: Record, line: Line, event: Event | None) -> SentenceId | None:
+        """What is said of an energy, or of a loss, as a share of an energy before."""
+        assert isinstance(line.relation, Relation)
+        cited = map(self._cited, line.premises)
+        shares = sum(own is not None and is_share_of_energy(own) for own in cited)
+        own = line.relation.options[0][0].left
+        match own:
+            case Binary("/", Quantity(kind, _, int(stage))) if kind in LOSSES:
+                if shares:
+                    return "fraction-lost.left" if shares == 1 else "fraction-lost.together"
+                by_component = kind == "energy_lost" or stage == 1
+                at_a_wall = event is not None and event.wall and not self._by_speeds(line)
+                return (
+                    "fraction-lost.at-a-wall"
+                    if at_a_wall and by_component
+                    else "fraction-lost.title"
+                )
+        return "fraction-lost.kept" if shares else record.title(event)
 
     def _of_energy(self, record: Record, line: Line, event: Event | None) -> SentenceId | None:
         """What is lost, and whether it is lost along the line of centres alone."""
@@ -258,11 +298,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         if len(line.premises) == 1 and self._derivation.facts_in(line.premises):
             return None  # it is given
         match record.id, line.relation.options[0][0].left:
-            case "energy-ratio", Binary("/", Quantity(kind)) if kind in LOSSES:
-                at_a_wall = event is not None and event.wall and not self._by_speeds(line)
-                return "fraction-lost.at-a-wall" if at_a_wall else "fraction-lost.title"
             case "energy-ratio", _:
-                return record.title(event)
+                return self._of_a_share(record, line, event)
         if self._is_direct(event):
             return "derived-energy.title"
         by_speeds = self._by_speeds(line)

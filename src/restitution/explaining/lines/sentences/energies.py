@@ -34,6 +34,11 @@ SENTENCES: Mapping[str, str] = {
         "Percentage of the kinetic energy that is lost, by the component that changes, as the mass "
         "cancels"
     ),
+    "fraction-lost.together": "Fractions of the same kinetic energy are added",
+    "fraction-lost.left": "What is lost is what is not kept",
+    "fraction-lost.kept": "What is kept is what is not lost",
+    "fraction-lost.at": "the fraction lost at {event}",
+    "fraction-lost.of-energies": "the ratio of the energies",
     "fraction-lost.why": (
         "The kinetic energy of one body is half its mass times the square of its speed. Where one "
         "body loses energy, half its mass stands above and below in the fraction that is lost, and "

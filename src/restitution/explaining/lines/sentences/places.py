@@ -110,6 +110,10 @@ SENTENCES: Mapping[str, str] = {
     "flight.origin-taken": (
         "Position = velocity × time, for {body}, with the origin where {body} is at the impact"
     ),
+    "flight.meets-level": "{body} meets {other}, which moves parallel to the {axis}-axis",
+    "flight.both-level": (
+        "{body} moves parallel to the {axis}-axis, and {other} parallel to the {second}-axis"
+    ),
     "flight.level": "{body} moves parallel to the {axis}-axis",
     "flight.origin": "Position = velocity × time, from the origin",
     "flight.origin-of": "Position = velocity × time, for {body} from the origin",
@@ -212,8 +216,7 @@ SENTENCES: Mapping[str, str] = {
         "along {way}: so {first} has to be at {point} then."
     ),
     "distance.relative": (
-        "With the spheres as particles, together at the impact: distance apart = relative speed × "
-        "time"
+        "With the spheres as particles, together at {event}: distance apart = relative speed × time"
     ),
     "distance.level": (
         "Perpendicular to the line of centres {one} and {other} keep level, so with the spheres as "

@@ -1,0 +1,63 @@
+"""Times and distances of two bodies: by how fast they come together, or part."""
+
+from __future__ import annotations
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+TO_A_WALL = """
+sphere A: mass 3m, velocity 2u i, at (0, 0)
+sphere B: mass m, at rest, at (0, 0)
+wall W: along j, through (d, 0)
+A hits B: along i, e = 1/2
+B hits W: e = 1/2
+"""
+WITH_RADII = """
+sphere A: mass 3, velocity 4i, radius 0.1, at (0, 0)
+sphere B: mass 1, velocity -2i, radius 0.1, at (1.4, 0)
+A hits B: along i, e = 2/3
+"""
+
+
+def printed(text: str) -> str:
+    """What is printed of a working of which the follower accepts each line."""
+    explanation = explain(solve(parse(text)), check=True)
+    assert explanation.followed
+    assert not explanation.warnings
+    return " ".join(to_text(explanation, 100).split())
+
+
+def test_how_far_apart_two_are_comes_of_their_relative_speed() -> None:
+    text = printed(TO_A_WALL + "find distance(A, B)")
+    assert "together at the first impact: distance apart = relative speed × time" in text
+    assert "at the second impact = (4d/(9u))(9u/4 − 5u/4) = 4d/9 M1 A1" in text
+    assert "position of A" not in text
+
+
+def test_how_far_apart_two_are_comes_of_a_place_that_is_asked() -> None:
+    text = printed(TO_A_WALL + "find position(A), distance(A, B)")
+    assert "relative speed" not in text
+    assert "distance between A and B at the second impact = d − 5d/9 = 4d/9" in text
+
+
+def test_a_first_impact_at_the_start_has_its_time() -> None:
+    text = printed(TO_A_WALL + "find time(2)")
+    assert "A and B are at one place at the start: t₁ = 0" in text
+
+
+def test_two_with_radii_close_the_gap_between_them() -> None:
+    text = printed(WITH_RADII + "find time(1)")
+    assert "When A and B touch, their centres are 0.2 m apart." in text
+    assert "Time = gap ÷ speed at which it closes: t = (1.4 − 2 × 0.1)/(4 + 2) = 0.2 s" in text
+    assert "M1 A1" in text
+
+
+def test_two_with_radii_close_the_gap_behind_a_wall() -> None:
+    text = printed(
+        "sphere A: mass 2m, velocity 3u i, radius r, at (0, 0)\n"
+        "sphere B: mass m, velocity u i, radius r, at (8r, 0)\n"
+        "wall W: along j, through (20r, 0)\n"
+        "A hits B: along i, e = 1/2\nB hits W: e = 1/3\nB hits A: e = 1/2\nfind time(3)"
+    )
+    assert "t₃ − t₂ = (19r − 43r/3 − 2r)/(2u + u) = 8r/(9u)" in text
