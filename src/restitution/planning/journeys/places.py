@@ -574,7 +574,7 @@ def _comes_across(scene: Scene, number: int, body: str, other: str) -> bool:
     """Whether the other sphere keeps its coordinate in the direction in which they approach."""
     axis = axis_of_approach(scene, number, body, other)
     own, theirs = (velocity(scene, e, last_move(scene, e, number), axis) for e in (body, other))
-    return theirs.value == 0 and own.value != 0
+    return bool(theirs.value == 0 and own.value != 0)
 
 
 def _approach(scene: Scene, body: str, number: int) -> Approach:

@@ -264,14 +264,13 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                     )
                 ) if is_zero(end):
                     axes[name] = "y" if axis == "i" else "x"
-        match [axes.pop(body, None), *axes.items()]:
-            case [str(axis)]:
-                return say("flight.level", body=body, axis=axis)
-            case [None, (other, axis)]:
-                return say("flight.meets-level", body=body, other=other, axis=axis)
-            case [str(axis), (other, second)]:
-                return say("flight.both-level", body=body, axis=axis, other=other, second=second)
-        return None
+        own_axis, others = axes.pop(body, None), list(axes.items())
+        if not others:
+            return say("flight.level", body=body, axis=own_axis) if own_axis else None
+        other, second = others[0]
+        if own_axis is None:
+            return say("flight.meets-level", body=body, other=other, axis=second)
+        return say("flight.both-level", body=body, axis=own_axis, other=other, second=second)
 
     def _of_a_share(self, record: Record, line: Line, event: Event | None) -> SentenceId | None:
         """What is said of an energy, or of a loss, as a share of an energy before."""
