@@ -380,6 +380,18 @@ find speed(P)
 3 a | rearrange | 2 | speed(P, 1) = sqrt(3) u/2
 a: 3 speed(P, 1) = sqrt(3) u/2
 """,
+    "share-that-is-left": """
+wall W: along i
+sphere P: velocity 5 at 50° to W
+P hits W
+given speed(P) = 4
+find energy_lost/energy(0), energy(P)/energy(P, 0)
+---
+1 a | define energy-ratio 1 P | velocity P, given 1 | energy_lost(1)/energy(0) = (5^2 - 4^2)/5^2
+2 b | define energy-ratio 1 P | 1 | energy(P, 1)/energy(P, 0) = 1 - 9/25 = 16/25 [rearrange]
+a: 1 energy_lost(1)/energy(0) = 9/25
+b: 2 energy(P, 1)/energy(P, 0) = 16/25
+""",
     # A time, and places, that the data tell.
     "places": """
 wall W: along j, through (8, 0)
@@ -730,6 +742,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("energy-lost-by-the-data", "lost-by-the-data", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("share-of-what-is-given", "share-that-is-given", 2, "M1 A1", "M1 A1", "M1 A1"),
     ("share-by-the-data", "share-that-is-kept", 1, "M1", "M1", "M1"),
+    ("share-asked-by-the-data", "share-that-is-left", 1, "M1 A1", "M1 A1", "M1 A1"),
+    ("share-by-other-shares", "share-that-is-left", 2, "A1ft", "A1ft", "A1ft"),
     ("angle-of-the-data", "read-off", 2, "", "", ""),
     ("right-angle-by-a-product", "read-off", 7, "A1", "A1", "A1"),
     ("repeated", "repeated", 7, "", "", ""),

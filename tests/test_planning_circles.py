@@ -105,7 +105,7 @@ def test_parallel_to_an_axis_the_place_is_where_that_line_meets_the_circle() -> 
     assert "x = −3 m, as P reaches that point first" in text
     # One equation with two roots is enough: the time is the distance over the speed.
     assert sum(each.move.id == "roots" for each in derivation.lines) == 1
-    assert "t = (−3 + 9)/3 = 2 s" in text
+    assert "t = (9 − 3)/3 = 2 s" in text
 
 
 def test_parallel_to_an_axis_from_inside_no_time_is_found_that_nobody_asks_for() -> None:

@@ -61,3 +61,23 @@ def test_two_with_radii_close_the_gap_behind_a_wall() -> None:
         "A hits B: along i, e = 1/2\nB hits W: e = 1/3\nB hits A: e = 1/2\nfind time(3)"
     )
     assert "t₃ − t₂ = (19r − 43r/3 − 2r)/(2u + u) = 8r/(9u)" in text
+
+
+def test_who_keeps_a_coordinate_is_met_there() -> None:
+    text = printed(
+        "sphere A: mass 1, velocity 3i + j, at (-6, -2)\n"
+        "sphere B: mass 2, velocity -2j, at (0, 4)\n"
+        "A hits B: along i, e = 1/2\nfind time(1), position(A)"
+    )
+    assert "Time = distance ÷ speed parallel to the x-axis, for A: t = 6/3 = 2 s M1 A1" in text
+    assert "y-coordinate of A at the impact = −2 + 2 = 0 M1 A meets B, which moves" in text
+
+
+def test_who_come_along_both_axes_meet_where_these_cross() -> None:
+    text = printed(
+        "sphere A: mass m, velocity 2u i, at (-4d, 0), radius d/4\n"
+        "sphere B: mass m, velocity u j, at (0, -1.75d), radius d/4\n"
+        "A hits B: along i, e = 1/2\nfind time(1), position(A), position(B)"
+    )
+    assert "(i) t = (4d − d/2)/(2u) = 7d/(4u) M1 A1" in text
+    assert "A moves parallel to the x-axis, and B parallel to the y-axis:" in text

@@ -1,7 +1,5 @@
 """A solution to its derivation: part by part, item by item."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
@@ -13,14 +11,7 @@ from restitution.errors import MissingError, UnboundedError
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of, staged
 from restitution.explaining.data.unused import spare_facts
-from restitution.explaining.following.premises import (
-    with_given_ratios,
-    with_identities,
-    with_ranges,
-    without_idle_ratios,
-    without_spare,
-)
-from restitution.explaining.lines.derivation import Derivation, Line, Meaning, Relation, numbers_in
+from restitution.explaining.lines.derivation import Derivation, Line, Meaning, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -33,7 +24,6 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
-from restitution.oracle import Oracle
 from restitution.planning.angles.angles_at_walls import write_angles_at_walls
 from restitution.planning.axes.by_changes import frame_at, write_axis
 from restitution.planning.axes.offsets import given_by_offsets, open_angles, paths_beside
@@ -42,10 +32,8 @@ from restitution.planning.axes.opposite_impulses import (
     write_impulse_of_an_open_line,
     write_opposite_impulse,
 )
-from restitution.planning.cases import joined, without_idle
+from restitution.planning.cases import joined
 from restitution.planning.clashes import write_clash
-from restitution.planning.closing.complements import with_complements
-from restitution.planning.closing.wanted_letters import with_wanted_letters
 from restitution.planning.earlier_cases import recall_case
 from restitution.planning.early import Early, above_event, early_items, terms
 from restitution.planning.ends_required import (
@@ -54,6 +42,7 @@ from restitution.planning.ends_required import (
     require_found,
     require_letters,
 )
+from restitution.planning.finishing import finished
 from restitution.planning.idle_facts import with_facts_that_agree, write_idle_facts
 from restitution.planning.inequalities.forms_of_ranges import (
     is_in_a_form,
@@ -62,11 +51,6 @@ from restitution.planning.inequalities.forms_of_ranges import (
 )
 from restitution.planning.inequalities.over_offsets import write_by_offset
 from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
-from restitution.planning.latest_forms import (
-    with_factors_kept,
-    with_latest_forms,
-    with_squares_of_speeds,
-)
 from restitution.planning.missed_walls import write_missed_wall
 from restitution.planning.open_clashes import write_open_clash
 from restitution.planning.out_of_range import write_out_of_range
@@ -86,27 +70,11 @@ from restitution.planning.unfinished import (
 )
 from restitution.planning.unreached import write_unreached
 from restitution.planning.writing import place_trees
-from restitution.planning.writing.angles_of_paths import with_angles_of_paths
 from restitution.planning.writing.checking import require_true
-from restitution.planning.writing.conjugates import with_conjugates
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
-from restitution.planning.writing.direct_impacts import with_direct_impacts
-from restitution.planning.writing.direct_ratios import with_direct_ratios
-from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.either_side import as_one, on_one_side, write_other_side
-from restitution.planning.writing.facts_once import with_facts_once
-from restitution.planning.writing.gathering import (
-    gathered,
-    numbered_anew,
-    without_idle_arctangents,
-    without_unprinted_letters,
-)
 from restitution.planning.writing.given_terms import standing_ties, turn_round
-from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
-from restitution.planning.writing.known_directions import with_known_directions
-from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.scene import Scene
-from restitution.planning.writing.values_first import with_values_first
 from restitution.problem import (
     Extremum,
     Item,
@@ -117,7 +85,6 @@ from restitution.problem import (
     trees,
 )
 from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
-from restitution.solving.story.letters import roles
 
 
 def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Derivation:
@@ -135,9 +102,9 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
         with suppress(*UNPLANNED):
             written = _written(solution, replace(desk, paths=paths), partial=False)
     desk = written or _written(solution, desk, partial)
-    whole = _finished(problem, desk)
+    whole = finished(problem, desk)
     agreeing = with_facts_that_agree(solution, desk, spare_facts(whole))
-    return whole if agreeing is desk else _finished(problem, agreeing)
+    return whole if agreeing is desk else finished(problem, agreeing)
 
 
 def _written(solution: Solution, desk: Desk, partial: bool) -> Desk:
@@ -152,35 +119,6 @@ def _written(solution: Solution, desk: Desk, partial: bool) -> Desk:
                 raise _not_planned(error) from error
             desk = _noted(problem, part, desk)
     return desk
-
-
-def _finished(problem: Problem, desk: Desk) -> Derivation:
-    """The derivation of a desk, without what nobody needs, and with all that is needed."""
-    whole = pruned(
-        Derivation(
-            desk.facts,
-            tuple(desk.lines),
-            tuple(desk.ends),
-            desk.events,
-            tuple(desk.cases),
-            tuple(dict.fromkeys(desk.others)),
-            tuple(desk.notes),
-        )
-    )
-    oracle = Oracle(roles(problem))
-    whole = without_idle(whole)
-    for shortened in (
-        *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
-        *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
-        *(with_values_first, with_known_directions, with_complements, with_conjugates),
-        *(with_angles_of_paths, with_kept_ratios, with_one_angle),
-    ):
-        shorter = shortened(whole, oracle)
-        whole = whole if shorter is whole else pruned(shorter)
-    for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
-        whole = mended(whole, oracle)
-    whole = without_idle_arctangents(without_unprinted_letters(whole))
-    return gathered(with_direct_impacts(with_facts_once(whole)))
 
 
 def _not_planned(error: Exception) -> NotPlannedError:
@@ -232,20 +170,6 @@ def _require_closed(desk: Desk, name: str) -> None:
             between = {link.left for link in links[1:]}
             if any(own & letters(link.right) for link in links if link.right not in between):
                 raise NotPlannedError(f"{end.item} is open")
-
-
-def pruned(derivation: Derivation) -> Derivation:
-    """The same working without lines on which no item rests, numbered anew."""
-    lines = {line.number: line for line in derivation.lines}
-    pending = [item.line for item in derivation.items] + [e.line for e in derivation.cases]
-    pending += [line for note in derivation.notes for line in note.lines]
-    kept: set[int] = set()
-    while pending:
-        number = pending.pop()
-        if number not in kept:
-            kept.add(number)
-            pending += numbers_in(lines[number].premises)
-    return numbered_anew(derivation, [line for line in derivation.lines if line.number in kept])
 
 
 def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: bool) -> Desk:

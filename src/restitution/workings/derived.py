@@ -637,9 +637,12 @@ def _spoken(sentence: Sentence) -> tuple[object, ...]:
 
 
 def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
-    """A line; of a component, those of the others that are resolved with it."""
+    """A line; with what goes on in one row, or of a component those that are resolved with it."""
     first, *rest = lines
     yield first
+    while first.shown == "inline" and rest:
+        first, *rest = rest
+        yield first
     if first.move.record == "component":
         for line in rest:
             if line.move.record != "component" or line.move.event != first.move.event:

@@ -37,10 +37,10 @@ def fraction_lost(scene: Scene, asked: Expression, given: Ref | None = None) -> 
     of several impacts takes are added where they are lines. None of another quotient, of several
     spheres, and where one of the energies is asked by itself, or is a line.
     """
-    found = _loss_and_energy(scene, asked)
-    if found is None:
+    share = _loss_and_energy(scene, asked)
+    if share is None:
         return None
-    body, lost, before = found
+    body, lost, before = share
     event, stage = lost.stage, before.stage
     assert isinstance(event, int)
     assert isinstance(stage, int)
@@ -79,10 +79,10 @@ def fraction_lost(scene: Scene, asked: Expression, given: Ref | None = None) -> 
 
 def share_by_given_speed(scene: Scene, asked: Expression) -> int | None:
     """The line of the fraction lost, where the speed after an impact is given; None where not."""
-    found = _loss_and_energy(scene, asked)
-    if found is None or scene.desk.known(asked) is not None:
+    share = _loss_and_energy(scene, asked)
+    if share is None or scene.desk.known(asked) is not None:
         return None
-    body, lost, _ = found
+    body, lost, _ = share
     assert isinstance(lost.stage, int)
     if given_speed(scene, body, lost.stage) is None or stands(scene, body, lost.stage):
         return None

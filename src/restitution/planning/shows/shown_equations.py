@@ -52,6 +52,7 @@ from restitution.planning.shows.shown_ratios import (
     ratio_by_a_shown_speed,
     ratio_by_a_tangent,
     shown_by_squares,
+    tangent_by_squares,
 )
 from restitution.planning.shows.shown_speeds import (
     components_of_data,
@@ -366,6 +367,8 @@ class ShownEquation(ShownAngles):
         cleared = written_by_clearing(self.scene, self.judge, pool, self.link)
         if cleared is not None:
             return cleared
+        if (tangent := tangent_by_squares(self.scene, pool, self.link)) is not None:
+            return tangent
         mark = self.claims.worths.mark()
         halves = self._by_double_angle(pool)
         if halves is not None:
@@ -508,10 +511,13 @@ class ShownEquation(ShownAngles):
             (left, right),
             *(((square(left), right.argument),) if squared else ()),  # type: ignore[union-attr]
         ):
-            if subject == self.link.left:
-                line = self._defined(own, start, pool)
-                if line is not None:
-                    return line
+            begin: Expression | None = start if subject == self.link.left else None
+            match self.link.left:
+                case Binary("/", above, below) if above == subject and not has_quantity(below):
+                    begin = Binary("/", start, below)  # v²/u² is worked out at once
+            line = None if begin is None else self._defined(own, begin, pool)
+            if line is not None:
+                return line
         # The quantity as it is defined, and then the printed form.
         defined = self.judge.write((own.move,), pool, equality(left, right))
         if defined is None:
@@ -542,7 +548,7 @@ class ShownEquation(ShownAngles):
                 if refs is not None:
                     self.scene.desk.back(mark)
                     return self.scene.desk.write(move, refs, relation)
-        if isinstance(own.value, sp.Expr):
+        if isinstance(own.value, sp.Expr) and not is_binary(start, "/"):
             value = own.value if start == swept(own.right) else own.value**2
             simple = with_squares_out(tidy(value))
             relation = Relation(((first, Link(start, "=", simple, "rearrange")),))

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 import sympy as sp
 
 from restitution.exact import in_sines, tidy
-from restitution.explaining.lines.derivation import Link, Move, Relation, equality
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -26,19 +28,21 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.expressions import formula_of_squares
 from restitution.planning.closing.squared_ratios import KINDS, write_by_squares
+from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.formulas.fractions_lost import ratio_of_energies
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.desk import chain
+from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import (
     ONE,
     factors,
     product,
     square,
+    swept,
     total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import cancelled, expanded
+from restitution.planning.writing.polynomials import cancelled, expanded, one_fraction
 from restitution.planning.writing.scene import Scene
 
 _OTHER = {"sin": "cos", "cos": "sin"}
@@ -146,10 +150,27 @@ def shown_by_squares(worths: Worths, link: Link, quantities: Sequence[Quantity])
     mark = worths.mark()
     for quantity in quantities:
         worths.determine_angle(quantity)
-    line = write_by_squares(worths.scene, link.left, formula_of_squares, link.right)
+    line = write_by_squares(worths.scene, link.left, partial(_as_printed, worths), link.right)
     if line is None:
         worths.back(mark)
     return line
+
+
+def _as_printed(worths: Worths, scene: Scene, asked: Expression) -> Formula | None:
+    """The formula of what stands in a claim: with its letter for a speed, and over the data."""
+    opened = worths.opened(asked)
+    own = formula_of_squares(scene, opened)
+    match opened:
+        case Binary("/", above, below) if own is None and not has_quantity(below):
+            own = formula_of_squares(scene, above)
+            if own is not None:
+                value = tidy(expanded(own.value / scene.scalar(below)))
+                own = replace(own, right=Binary("/", own.right, below), value=value)
+    if own is None or (opened == asked and own.left == asked):
+        return own
+    lets = (f"let {name}" for name in sorted(letters(asked)))
+    refs = together(own.refs, (ref for ref in lets if ref in scene.facts))
+    return replace(own, of=itself, quantity=asked, refs=refs)
 
 
 def in_one_ratio(scene: Scene, numbers: Iterable[int], link: Link) -> int | None:
@@ -186,10 +207,57 @@ def in_one_ratio(scene: Scene, numbers: Iterable[int], link: Link) -> int | None
         known = scene.judge.known(letters(whole.left) | letters(whole.right))
         middle = scene.judge.write((_PYTHAGORAS,), [number, *known], Relation(((whole,),)))
         if middle is not None:
-            line = scene.judge.write(_TO_CLEAR, [middle, *known], Relation(((link,),)))
+            line = _cleared(scene, middle, known, link)
             if line is not None:
                 return line
         scene.desk.back(mark)
+    return None
+
+
+def _cleared(scene: Scene, line: int, known: Sequence[Ref], link: Link) -> int | None:
+    """A power that is a quotient, with what is divided by on the other side before."""
+    match link:
+        case Link(Binary("^") as power, "=", Binary("/", above, below)) if letters(below):
+            between = chain(swept(product(below, power)), (above, None))
+            line = scene.judge.write(_TO_CLEAR, [line, *known], between) or line
+    return scene.judge.write(_TO_CLEAR, [line, *known], Relation(((link,),)))
+
+
+def tangent_by_squares(scene: Scene, pool: Sequence[Ref], link: Link) -> int | None:
+    """The square of a tangent by that of the sine or the cosine, with the other one between.
+
+    None of another equation, and where the first of the pool gives no such square.
+    """
+    match link.left, pool:
+        case Binary("^", Apply("tan", angle), Number(Fraction(numerator=2, denominator=1))), [
+            int(line),
+            *others,
+        ]:
+            pass
+        case _:
+            return None
+    if len(scene.desk.relation(line).options) > 1:
+        return None
+    own = scene.desk.last_link(line)
+    name = next((e for e in _OTHER if own.left == square(Apply(e, angle))), None)
+    if name is None or own.sign != "=" or has_quantity(own.right):
+        return None
+    worth = scene.scalar(own.right)
+    rest = tree_of(tidy(one_fraction(expanded(1 - worth))))
+    other = chain(
+        square(Apply(_OTHER[name], angle)),
+        (Binary("-", ONE, own.right), None),
+        (rest, "rearrange"),
+    )
+    mark = scene.desk.mark()
+    second = scene.judge.write((_PYTHAGORAS,), [line, *others], other)
+    if second is not None:
+        pair = (line, second) if name == "sin" else (second, line)
+        known = scene.judge.known(letters(own.right))
+        quotient = scene.judge.enough(Move("divide"), pair, Relation(((link,),)), [*others, *known])
+        if quotient is not None:
+            return scene.desk.write(Move("divide"), quotient, Relation(((link,),)))
+    scene.desk.back(mark)
     return None
 
 

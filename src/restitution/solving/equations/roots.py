@@ -11,12 +11,14 @@ from restitution.errors import StatementError, UnsupportedError
 from restitution.exact.symbols import operations_in, symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
     Number,
+    Quantity,
     has_quantity,
     letters,
 )
@@ -405,15 +407,21 @@ def _subjects(step: Show) -> Iterator[tuple[Expression, Expression]]:
 def _stated_of_quantities(setting: Setting) -> set[str]:
     """The letters in which claims say what a quantity is: e in ``energy_lost = 1/2 m u^2 (1 - e)``.
 
-    So a fact that ties such a letter to another is taken to fix the other one.
+    So a fact that ties such a letter to another is taken to fix the other one. The quantity may
+    have a letter of the statement, as in ``v^2 = e u^2``; that of an angle is sought itself.
     """
+    named = {
+        name
+        for name, (let, _) in setting.lets.items()
+        if isinstance(let.expression, Quantity) and let.expression.kind not in ANGLES
+    }
     return {
         name
         for step in setting.shows
         if isinstance(step.relation, Compare) and step.relation.operators == ("=",)
         for own, other in permutations(step.relation.operands, 2)
-        if has_quantity(own) and not has_quantity(other)
-        for name in letters(other)
+        if (has_quantity(own) or letters(own) & named) and not has_quantity(other)
+        for name in letters(other) - named
     }
 
 

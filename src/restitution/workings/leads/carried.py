@@ -9,8 +9,9 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Mean
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.explaining.lines.trees import is_share_of_energy
+from restitution.explaining.lines.trees import is_share_of_energy, trees_of
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -18,6 +19,7 @@ from restitution.expression.tree import (
     is_component,
     is_zero,
     letters,
+    walk,
 )
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
@@ -86,12 +88,14 @@ class Carried:
         self._figures = figures
         self._named: set[tuple[str | None, int]] = set()
         self._waiting: dict[int, Line] = {}
+        self._ratios: set[Expression] = set()  # in the rows that take what waits
         self._subject: Expression | None = None
         labels = map(ends.part, derivation.lines)
         self._first = next(filter(None, labels), None)
 
     def gather(self, lines: Iterable[Line]) -> bool:
         """Whether lines take values of other parts; these wait for the words before the row."""
+        lines = tuple(lines)
         values: dict[int, Line] = {}
         beside: list[Line] = []
         part: str | None = None
@@ -103,7 +107,7 @@ class Carried:
                 if own is None or ref in cited or (part, ref) in self._named:
                     continue
                 label = self._ends.part(own)
-                if label == part or not _is_a_value(own):
+                if label == part or not (_is_a_value(own) or _has_ratios(own)):
                     continue
                 if label is None and part == self._first:
                     continue  # it stands just above
@@ -116,6 +120,10 @@ class Carried:
         # A component that stays is named beside the other one of that velocity alone.
         values |= {line.number: line for line in _others(beside, tuple(values.values()))}
         self._named |= {(part, number) for number in values}
+        if values:
+            self._ratios = self._ratios if self._waiting else set()
+            trees = (tree for line in lines for tree in trees_of(line.relation))
+            self._ratios |= {node for tree in trees for node in walk(tree) if _is_ratio(node)}
         self._waiting |= values
         return bool(values)
 
@@ -198,6 +206,11 @@ class Carried:
             if any(resolved.count(velocity) > 1 for velocity in _resolved(line)):
                 continue
             assert isinstance(line.relation, Relation)
+            if _has_ratios(line):
+                lefts = [own[0].left for own in chains(line.relation.only)]
+                used = [left for left in lefts if self._ratios.intersection(walk(left))]
+                yield from map(self._naming.layout, used or lefts)
+                continue
             left = line.relation.only[0].left
             link = self._figures(Link(left, "=", line.relation.only[-1].right))
             value = self._naming.layout(link.right)
@@ -238,6 +251,22 @@ def _is_a_value(line: Line) -> bool:
         and (isinstance(relation.only[0].left, Letter | Quantity) or is_share_of_energy(line))
         and line.shown != "silent"
         and line.move.id not in ("triangle", "fact")
+    )
+
+
+def _is_ratio(tree: Expression) -> bool:
+    """Whether a tree is a sine, a cosine or a tangent."""
+    return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
+
+
+def _has_ratios(line: Line) -> bool:
+    """Whether a line gives ratios of an angle, or their squares, by a line above it."""
+    relation = line.relation
+    return (
+        isinstance(relation, Relation)
+        and len(relation.options) == 1
+        and (line.move.id, line.shown) == ("triangle", "line")
+        and any(isinstance(ref, int) for ref in line.premises)
     )
 
 

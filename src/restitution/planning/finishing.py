@@ -1,0 +1,87 @@
+"""A working whose lines stand: what nobody needs goes, and each line gets its last form."""
+
+from __future__ import annotations
+
+from restitution.explaining.following.premises import (
+    with_given_ratios,
+    with_identities,
+    with_ranges,
+    without_idle_ratios,
+    without_spare,
+)
+from restitution.explaining.lines.derivation import Derivation, numbers_in
+from restitution.oracle import Oracle
+from restitution.planning.cases import without_idle
+from restitution.planning.closing.complements import with_complements
+from restitution.planning.closing.wanted_letters import with_wanted_letters
+from restitution.planning.latest_forms import (
+    with_factors_kept,
+    with_latest_forms,
+    with_squares_of_speeds,
+)
+from restitution.planning.writing.angles_of_paths import with_angles_of_paths
+from restitution.planning.writing.conjugates import with_conjugates
+from restitution.planning.writing.desk import Desk
+from restitution.planning.writing.direct_impacts import with_direct_impacts
+from restitution.planning.writing.direct_ratios import with_direct_ratios
+from restitution.planning.writing.direct_tangents import with_direct_tangents
+from restitution.planning.writing.facts_once import with_facts_once
+from restitution.planning.writing.gathering import (
+    gathered,
+    numbered_anew,
+    without_idle_arctangents,
+    without_unprinted_letters,
+)
+from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
+from restitution.planning.writing.known_directions import with_known_directions
+from restitution.planning.writing.plain_products import with_plain_products
+from restitution.planning.writing.squares_together import with_squares_together
+from restitution.planning.writing.values_first import with_values_first
+from restitution.problem import Problem
+from restitution.solving.story.letters import roles
+
+
+def finished(problem: Problem, desk: Desk) -> Derivation:
+    """The derivation of a desk, without what nobody needs, and with all that is needed."""
+    whole = pruned(
+        Derivation(
+            desk.facts,
+            tuple(desk.lines),
+            tuple(desk.ends),
+            desk.events,
+            tuple(desk.cases),
+            tuple(dict.fromkeys(desk.others)),
+            tuple(desk.notes),
+        )
+    )
+    oracle = Oracle(roles(problem))
+    whole = without_idle(whole)
+    for shortened in (
+        *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
+        *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
+        *(with_values_first, with_known_directions, with_complements, with_conjugates),
+        *(with_angles_of_paths, with_kept_ratios, with_one_angle, with_squares_together),
+    ):
+        shorter = shortened(whole, oracle)
+        whole = whole if shorter is whole else pruned(shorter)
+    for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
+        whole = mended(whole, oracle)
+    whole = without_idle_arctangents(without_unprinted_letters(whole))
+    return gathered(with_direct_impacts(with_facts_once(whole)))
+
+
+def pruned(derivation: Derivation) -> Derivation:
+    """The same working without lines on which no item rests, numbered anew."""
+    lines = {line.number: line for line in derivation.lines}
+    pending = [item.line for item in derivation.items] + [e.line for e in derivation.cases]
+    pending += [line for note in derivation.notes for line in note.lines]
+    kept: set[int] = set()
+    while pending:
+        number = pending.pop()
+        if number not in kept:
+            kept.add(number)
+            pending += numbers_in(lines[number].premises)
+    return numbered_anew(derivation, [line for line in derivation.lines if line.number in kept])
+
+
+__all__ = ["finished"]
