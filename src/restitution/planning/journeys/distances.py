@@ -15,6 +15,7 @@ from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.whereabouts import (
     are_apart,
     last_move,
+    rests,
     standing,
     tidied,
     velocity,
@@ -313,6 +314,8 @@ def _distance_at_an_event(scene: Scene, asked: Quantity) -> Source | None:
     met = min(events)
     if len(events) != 1 or not _are_together(scene, met, names):
         return None
+    if any(rests(scene, name, stage) for name in names):
+        return None  # it stays where they met
     trees = [(place_tree(name, stage), *_coordinates(name, stage)) for name in names]
     if any(standing(scene, tree) or tree in scene.asked_alone for own in trees for tree in own):
         return None
