@@ -10,11 +10,12 @@ from restitution.exact import tidy
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Relation
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Binary, Expression, has_quantity
+from restitution.expression.tree import Binary, Expression, has_quantity, walk
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import product, swept, tree_of
 
 _PYTHAGORAS = Move("identity", "pythagoras")
+_MOST = 60  # nodes of a sum of which a reader sees the factors
 
 
 def with_squares_together(derivation: Derivation, oracle: Oracle) -> Derivation:
@@ -53,7 +54,9 @@ def _factored(derivation: Derivation, line: Line) -> Expression | None:
             return None
     if has_quantity(long) or has_quantity(short) or not isinstance(long, Binary) or long.op != "+":
         return None
-    whole, rest = (sp.sympify(in_letters(side), strict=True) for side in (long, short))
+    whole, rest = in_letters(long), in_letters(short)
+    if not (isinstance(whole, sp.Expr) and isinstance(rest, sp.Expr)) or len(walk(long)) > _MOST:
+        return None
     angles = {ratio.args[0] for ratio in whole.atoms(sp.sin, sp.cos)}
     if len(angles) != 1 or whole.has(sp.tan, sp.cot):
         return None
