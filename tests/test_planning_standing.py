@@ -172,7 +172,8 @@ def test_centres_have_equal_coordinates_across_their_line() -> None:
         "sphere B: mass 2, radius 1/2, at (4, 8), velocity v at 270°\n"
         "A hits B: along j, e = 1/2\nfind v"
     )
-    assert "The line of centres is parallel to 𝐣, so at the impact the x-coordinates are" in text
+    assert "B moves parallel to the y-axis: x-coordinate of B at the impact = 4 m" in text
+    assert "Time = distance ÷ speed, for A: t = 4/2 = 2 s" in text
     assert (
         "At the impact the y-coordinate of B is greater than that of A by two radii, as B comes "
         "towards A in the direction of −𝐣:" in text

@@ -548,8 +548,10 @@ class ShownEquation(ShownAngles):
                 if refs is not None:
                     self.scene.desk.back(mark)
                     return self.scene.desk.write(move, refs, relation)
-        if isinstance(own.value, sp.Expr) and not is_binary(start, "/"):
-            value = own.value if start == swept(own.right) else own.value**2
+        whole = swept(own.right)
+        squared = is_function(whole, "sqrt") and start == whole.argument
+        if isinstance(own.value, sp.Expr) and (squared or start == whole):
+            value = own.value**2 if squared else own.value
             simple = with_squares_out(tidy(value))
             relation = Relation(((first, Link(start, "=", simple, "rearrange")),))
             refs = self.judge.needed(own.move, [*pool, *known], relation, own.refs)
