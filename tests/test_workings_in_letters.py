@@ -132,7 +132,7 @@ find e
 given speed(P) = 3/4 u, velocity(P) perpendicular to velocity(P, 0)
 show tan(alpha) = 4/3
 """,
-        ["As sin²α + cos²α = 1: 9 sin²α = 16 cos²α", "tan α = 4/3 (as required)"],
+        ["(sin²α + cos²α) = 16 cos²α, as sin²α + cos²α = 1", "tan α = 4/3 (as required)"],
         ["1 − cos²α"],
     ),
     "what is to be shown is not solved for something else before": (

@@ -115,7 +115,7 @@ sphere A: mass 1, at (-4, -3), velocity 4i + 3j
 sphere B: mass 3, at (0, 0), at rest
 A hits B: along i, e = 2/3
 B reaches W
-find distance(A, B)
+find position(A), distance(A, B)
 """
     words = printed(text)
     place = "The position of B when B reaches W is 6𝐢 m."
