@@ -321,6 +321,8 @@ class World:
             raise ImpossibleWorldError("the root of a negative number")
         if function in ("arcsin", "arccos") and not -1 <= x <= 1:
             raise ImpossibleWorldError(f"{function} of {x}")
+        if function in ("tan", "sec") and abs(mp.cos(x)) < NONE:
+            raise ImpossibleWorldError(f"the {function} of a right angle")
         named = {"arcsin": mp.asin, "arccos": mp.acos, "arctan": mp.atan, "cosec": mp.csc}
         return named[function](x) if function in named else getattr(mp, function)(x)
 

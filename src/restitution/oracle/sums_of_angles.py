@@ -55,7 +55,8 @@ def with_sines(formula: Formula, roles: Mapping[str, Role]) -> Formula:
 def sine_of_share(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     """A sum of angles as the sine of a share of it, which has the same sign.
 
-    One with an inverse sine or cosine is compared by that, where the rest is between its ends.
+    One with an inverse sine, cosine or tangent is compared by that, where the rest is between its
+    ends.
     """
     if x.has(*_INVERSE) and x.has(sp.Abs):
         x = x.xreplace({bar: _without_bars(bar, roles) for bar in x.atoms(sp.Abs)})
@@ -116,25 +117,31 @@ def _extent(
 
 
 def _by_ratio(terms: Sequence[sp.Expr], roles: Mapping[str, Role]) -> sp.Expr | None:
-    """The sign of α − arcsin x as that of sin α − x; None where no such sum is seen."""
+    """The sign of α − arcsin x as that of sin α − x; None where no such sum is seen.
+
+    That of α − arctan x is as that of sin α − x cos α.
+    """
     for term in terms:
         sense, atom = term.as_coeff_Mul()
-        if abs(sense) != 1 or not isinstance(atom, sp.asin | sp.acos) or not term.free_symbols:
+        if abs(sense) != 1 or not isinstance(atom, sp.asin | sp.acos | sp.atan):
             continue
         others = [other for other in terms if other != term]
-        rest = _extent(others, roles)
+        rest = _extent(others, roles) if term.free_symbols else None
         (ratio,) = atom.args
-        if rest is None or not is_never_negative(1 - ratio**2, roles):
+        is_tangent = isinstance(atom, sp.atan)
+        if rest is None or not (is_tangent or is_never_negative(1 - ratio**2, roles)):
             continue
         low, high, _ = rest
         own_low, own_high = (
-            (-sp.pi / 2, sp.pi / 2)
-            if isinstance(atom, sp.asin)
-            else ((0, sp.pi) if sense == -1 else (-sp.pi, 0))
+            ((0, sp.pi) if sense == -1 else (-sp.pi, 0))
+            if isinstance(atom, sp.acos)
+            else (-sp.pi / 2, sp.pi / 2)
         )
         if _exceeds(own_low, low) or _exceeds(high, own_high):
             continue
         angle = sp.Add(*others)
+        if is_tangent:
+            return sp.sin(angle) + sense * ratio * sp.cos(angle)
         if isinstance(atom, sp.asin):
             return sp.sin(angle) + sense * ratio
         return sense * (sp.cos(angle) - ratio)

@@ -22,7 +22,6 @@ from restitution.errors import (
     UnsupportedError,
 )
 from restitution.exact.symbols import symbol_names
-from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
     Expression,
@@ -52,7 +51,7 @@ from restitution.problem import (
 from restitution.records import dataclass
 from restitution.solving.above_events import answered_above
 from restitution.solving.algebra import forms
-from restitution.solving.algebra.numbers import Sample, at, sample
+from restitution.solving.algebra.numbers import sample
 from restitution.solving.equations.answers import (
     answer_of,
     has_dimension,
@@ -69,8 +68,13 @@ from restitution.solving.equations.coefficients import (
     outside,
     without_impossible,
 )
-from restitution.solving.equations.part import Desk, Outcome, impossible
-from restitution.solving.equations.setting import UNWIELDY, Setting, Trial, is_met
+from restitution.solving.equations.part import Desk, Outcome, impossible, solved_texts
+from restitution.solving.equations.setting import (
+    NOT_DECIDED,
+    UNWIELDY,
+    Setting,
+    Trial,
+)
 from restitution.solving.equations.solution import (
     Answer,
     Branch,
@@ -81,10 +85,19 @@ from restitution.solving.equations.solution import (
     RejectedBranch,
 )
 from restitution.solving.equations.stages import by_nested_roots
+from restitution.solving.equations.trial_numbers import example_of
 from restitution.solving.equations.verify import verify_principles, verify_value
+<<<<<<< HEAD
 from restitution.solving.ranges.validity import Limitation, limitations, of_a_time, with_condition
+=======
+from restitution.solving.ranges.validity import (
+    Limitation,
+    are_all_known,
+    limitations,
+    with_condition,
+)
+>>>>>>> 4af24856 (ranges: ends are proved to have values, forms go by the sign of what decides, and what is undecided is said)
 from restitution.solving.story import missing
-from restitution.solving.story.conditions import Equation
 from restitution.solving.story.forward import Story
 from restitution.solving.story.letters import is_angle
 from restitution.solving.story.quantities import stage_number
@@ -93,8 +106,6 @@ from restitution.vector import Vector
 
 # A speed that is more to read than this may be shorter in other components.
 LONG = 16
-# Draws of the letters at which only a coefficient may be wrong.
-_TRIES = 8
 
 
 def asks(part: Part) -> bool:
@@ -141,6 +152,8 @@ class Worker:
     # By the identity of the trials that they are made from, which settings may share.
     branches: dict[int, list[Branch] | RestitutionError] = field(default_factory=dict)
     limits: dict[int, tuple[Limitation, ...]] = field(default_factory=dict)
+    # Of trials of which it is not decided for which letters they hold.
+    not_proved: set[int] = field(default_factory=set)
     clashes: dict[Any, RestitutionError] = field(default_factory=dict)
 
     @property
@@ -256,6 +269,11 @@ class Worker:
 
     def _branches(self, outcome: Outcome) -> list[Branch]:
         accepted = outcome.accepted
+        for trial in outcome.undecided:
+            found = ", ".join(solved_texts(trial)) or "this"
+            if not accepted:
+                raise UnsupportedError(f"{found}: {NOT_DECIDED}")
+            self.warn(f"{found}: {NOT_DECIDED}")
         if not accepted:
             # Where the data imply an impossible coefficient, that is said, and the rest answered.
             accepted = self._with_impossible_coefficient(outcome)
@@ -300,7 +318,7 @@ class Worker:
         for trial in outcome.refused:
             if trial.kind != "coefficient":
                 continue
-            example = self._example(outcome.setting, trial, known)
+            example = example_of(outcome.setting, trial, known)
             if example is None:
                 continue
             values, story = example
@@ -326,7 +344,7 @@ class Worker:
             for trial in outcome.refused:
                 if trial.kind != "range" or 0 in trial.root.values.values():
                     return known, ()
-                example = self._example(outcome.setting, trial, known, out_of_range=True)
+                example = example_of(outcome.setting, trial, known, out_of_range=True)
                 if example is None:
                     continue  # no value of the motion: a factor that the equations have lost
                 values, story = example
@@ -335,36 +353,6 @@ class Worker:
         except (RestitutionError, *UNFORESEEN):
             return {}, ()
         return known, () if outcome.accepted else tuple(branches)
-
-    def _example(
-        self,
-        setting: Setting,
-        trial: Trial,
-        known: Mapping[str, Role],
-        *,
-        out_of_range: bool = False,
-    ) -> tuple[Sample, Story] | None:
-        """Values of the letters, and the story with them, at which only the coefficient is wrong.
-
-        A root of an equation that was squared is no value that the data imply. Where a letter is
-        ``out_of_range``, equations alone have to hold.
-        """
-        free = sorted(set(known) - set(trial.root.values))
-        dice = random.Random(41)
-        for _ in range(_TRIES if free else 1):
-            values = sample(free, known, dice)
-            try:
-                for name, value in trial.root.values.items():
-                    values[name] = at(value, values)
-                story = setting.tell(Numbers(values))
-                wanted = (*story.equations, *story.conditions, *setting.requirements(story))
-            except (UndefinedError, KeyError, ImpossibleError, ZeroDivisionError):
-                continue
-            if out_of_range:
-                wanted = tuple(condition for condition in wanted if isinstance(condition, Equation))
-            if all(condition.kind == "coefficient" or is_met(condition) for condition in wanted):
-                return values, story
-        return None
 
     def _warn_of_coefficient(self, branches: list[Branch]) -> None:
         implied = [wrong.text for branche in branches for wrong in impossible_coefficients(branche)]
@@ -512,7 +500,18 @@ class Worker:
         key = id(trial)
         if key not in self.limits:
             self.limits[key] = limitations(outcome, trial) if trial.root.values else ()
+<<<<<<< HEAD
         limits = self.limits[key] or of_a_time(outcome, trial, item.expression, answer.value)
+=======
+            if trial.root.values and not are_all_known(outcome, trial):
+                self.not_proved.add(key)
+        if key in self.not_proved and answer.letters:
+            self.warn(
+                f"{item.text}: for which values of the letters this holds is not decided; it was "
+                "tried at some of them"
+            )
+        limits = self.limits[key]
+>>>>>>> 4af24856 (ranges: ends are proved to have values, forms go by the sign of what decides, and what is undecided is said)
         if not limits:
             return answer
         plain = value_layout(answer.value, kind, answer.angle, item.percentage)

@@ -14,6 +14,7 @@ from restitution.oracle import (
     Formula,
     Relation,
     Some,
+    joined,
 )
 from restitution.records import dataclass
 from restitution.solving.algebra import forms
@@ -48,6 +49,29 @@ def inside_of(x: sp.Expr, pieces: Sequence[Piece]) -> Formula:
             ends.append(Relation(high.value - x, ">=" if high.closed else ">"))
         parts.append(All(tuple(ends)))
     return parts[0] if len(parts) == 1 else Some(tuple(parts))
+
+
+def existence(values: Iterable[sp.Expr]) -> list[Relation]:
+    """That no divisor in some values is zero, and that no root is that of less than zero."""
+    demands: list[Relation] = []
+    for power in {power for value in values for power in value.atoms(sp.Pow)}:
+        inside, exponent = power.as_base_exp()
+        if not inside.free_symbols or not exponent.is_Rational:
+            continue
+        if exponent < 0 or not exponent.is_Integer:
+            demands.append(
+                Relation(inside, ">=" if exponent > 0 else "!=" if exponent.is_Integer else ">")
+            )
+    return sorted(demands, key=lambda demand: sp.default_sort_key(demand.value))
+
+
+def with_existence(claim: Formula, pieces: Sequence[Piece]) -> Formula:
+    """A claim of some intervals together with that their ends have values.
+
+    Where one has none, the claim alone would say nothing.
+    """
+    ends = [end.value for piece in pieces for end in piece]
+    return joined((claim, *existence(ends)))
 
 
 def joined_cells(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
@@ -109,6 +133,42 @@ def _end_at(end: End, drawn: Sample) -> Enclosed:
         return at(end.value, drawn)
     except UndefinedError:
         raise UnsupportedError("the form of the range depends on the values of the data") from None
+
+
+def same_at(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:
+    """Whether a form has the same intervals as another, at one point."""
+    try:
+        return len(form) == len(pieces) and all(
+            a.closed == b.closed and (a.value == b.value or _near(a.value, b.value, drawn))
+            for one, other in zip(form, pieces, strict=True)
+            for a, b in zip(one, other, strict=True)
+        )
+    except UndefinedError:
+        return False
+
+
+def same_values_at(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:
+    """Whether the same values lie in the intervals of two forms, at one point."""
+    try:
+        own, other = ([x for x in parts if not _is_empty(x, drawn)] for parts in (form, pieces))
+    except UndefinedError:
+        return False
+    return same_at(own, other, drawn)
+
+
+def _near(a: sp.Expr, b: sp.Expr, drawn: Sample) -> bool:
+    if a.is_infinite or b.is_infinite:
+        return False
+    return not (at(a, drawn) - at(b, drawn)).sign
+
+
+def _is_empty(piece: Piece, drawn: Sample) -> bool:
+    """Whether the ends of an interval have changed places."""
+    low, high = piece
+    if low.value.is_infinite or high.value.is_infinite or low.value == high.value:
+        return False
+    gap = (at(high.value, drawn) - at(low.value, drawn)).sign
+    return gap < 0 or (gap == 0 and not (low.closed and high.closed))
 
 
 def to_set(pieces: Sequence[Piece]) -> sp.Set:

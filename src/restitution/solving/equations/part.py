@@ -14,7 +14,7 @@ from restitution.errors import ContradictionError, ImpossibleError, RestitutionE
 from restitution.exact.symbols import symbol_names
 from restitution.expression.tree import Place, letters
 from restitution.oracle import Oracle
-from restitution.oracle.roles import REAL
+from restitution.oracle.roles import REAL, Role
 from restitution.problem import Extremum, Part, Problem, Range, Show
 from restitution.records import dataclass
 from restitution.render.layout import display
@@ -75,7 +75,16 @@ class Outcome:
 
     @property
     def refused(self) -> list[Trial]:
-        return [trial for trial in self.trials if not trial.samples and trial.kind != "equation"]
+        return [
+            trial
+            for trial in self.trials
+            if not trial.samples and trial.kind not in ("equation", "undecided")
+        ]
+
+    @property
+    def undecided(self) -> list[Trial]:
+        """What is neither accepted nor refused."""
+        return [trial for trial in self.trials if trial.kind == "undecided"]
 
     def serves(self, setting: Setting) -> bool:
         """Whether solving in another setting of the same part would give just this."""
@@ -363,10 +372,21 @@ def _value_out_of_range(trial: Trial, reason: str | None) -> str | None:
         role = None if trial.admission is None else trial.admission.roles.get(name)
         if role is None or reason_outside(name, role)[0] != reason:
             continue
-        if sp.count_ops(value) > UNWIELDY:
-            continue
-        letter = to_text(display(role.symbol(name)))
-        angle = role.kind == "angle"
-        plain = exact.tidy_angle(value) if angle else exact.tidy(value)
-        return f"{letter} = {to_text(value_layout(plain, 'value', angle, percentage=False))}"
+        if sp.count_ops(value) <= UNWIELDY:
+            return _solved_text(name, value, role)
     return None
+
+
+def solved_texts(trial: Trial) -> Iterator[str]:
+    """The values that a trial has for letters of the statement, as equations."""
+    for name, value in trial.root.values.items():
+        role = None if trial.admission is None else trial.admission.roles.get(name)
+        if role is not None and not name.startswith("_") and sp.count_ops(value) <= UNWIELDY:
+            yield _solved_text(name, value, role)
+
+
+def _solved_text(name: str, value: sp.Expr, role: Role) -> str:
+    letter = to_text(display(role.symbol(name)))
+    angle = role.kind == "angle"
+    plain = exact.tidy_angle(value) if angle else exact.tidy(value)
+    return f"{letter} = {to_text(value_layout(plain, 'value', angle, percentage=False))}"

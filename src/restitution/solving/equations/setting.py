@@ -54,6 +54,9 @@ POINTS_TRIED = 48
 UNWIELDY = 120
 EDGES_TRIED = 4
 
+NOT_DECIDED = "whether it is possible for any values of the letters is not decided"
+"""Of a solution that is neither seen to be possible nor proved to be impossible."""
+
 
 @dataclass(frozen=True)
 class Trial:
@@ -283,6 +286,8 @@ class Setting:
                     accepted.append(values)
                 else:
                     reasons[reason] += 1
+            if not accepted and not _is_refuted(admission):
+                return Trial(assignment, (), NOT_DECIDED, "undecided", admission)
         if as_they_look is not None and as_they_look is not accepted[0]:
             accepted.sort(key=lambda attempt: attempt is not as_they_look)
             stories.insert(0, self.tell(Numbers(as_they_look)))
@@ -423,6 +428,14 @@ class Setting:
 
     def _used_letters(self) -> set[str]:
         return set(self.roles) - set(self.lets)
+
+
+def _is_refuted(admission: Admission) -> bool:
+    """Whether it is proved that no values of the letters satisfy all that is asked."""
+    if admission.oracle.possible.answer == "refuted":
+        return True
+    equations = [Relation(equation, "=") for equation in admission.equations]
+    return admission.oracle.with_facts(equations).possible.answer == "refuted"
 
 
 def _needs_no_numbers(story: Story | None) -> bool:

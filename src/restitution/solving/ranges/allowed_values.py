@@ -29,6 +29,7 @@ from restitution.solving.algebra.intervals import to_set
 from restitution.solving.equations.part import Desk, Outcome
 from restitution.solving.equations.setting import Setting, Trial, declared
 from restitution.solving.equations.solution import Answer, ItemResult
+from restitution.solving.ranges.by_signs import HalfForm, forms_by_signs
 from restitution.solving.ranges.cases import Case, cases
 from restitution.solving.ranges.images import Image
 from restitution.solving.ranges.limits import limit
@@ -38,6 +39,7 @@ from restitution.solving.ranges.validity import (
     always_exist,
     bounds_of,
     defined,
+    half_limitations,
     range_limitations,
     with_condition,
 )
@@ -146,15 +148,26 @@ def _range_of_letter(
             return [(tied, ())], "algebra"
         region = Region(outcome, name, tuple(sorted(free)))
         values, several = _forms(region)
+    except UnsupportedError:
+        halves = forms_by_signs(region)
+        if not halves:
+            raise
+        return _by_sign(outcome, region.trials[0], region, halves)
     except ContradictionError:
         values = fixed_values(desk, name, setting)
         if values is sp.S.EmptySet:
             raise
         return [(values, ())], "algebra"
     if several:
+        if any(case.proof == "undecided" for case in several) and (
+            halves := forms_by_signs(region)
+        ):
+            return _by_sign(outcome, region.trials[0], region, halves)
         return _by_case(several, region.roles)
     if values is sp.S.EmptySet:
         return [(fixed_values(desk, name, setting), ())], "algebra"  # the facts alone fix it
+    if region.proof == "undecided" and (halves := forms_by_signs(region)):
+        return _by_sign(outcome, region.trials[0], region, halves)
     if not _is_general(region, values):
         several = cases(region)
         if len(several) > 1:
@@ -209,6 +222,19 @@ def _by_case(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[F
         # A case that holds for all values of its letter asks nothing of it.
         forms.append((to_set(case.pieces), () if bounds.text == case.letter else (bounds,)))
     proofs: list[Proof] = [case.proof for case in several]
+    return forms, next((proof for proof in proofs if proof != "algebra"), proofs[0])
+
+
+def _by_sign(
+    outcome: Outcome, trial: Trial, region: Region | Image, halves: Sequence[HalfForm]
+) -> tuple[list[Form], Proof]:
+    """The values by the sign of something in the data, with what each form asks of these."""
+    forms: list[Form] = []
+    for half in halves:
+        values = to_set(half.pieces)
+        limits = half_limitations(outcome, trial, region, half.relation, values)
+        forms.append((values, limits))
+    proofs: list[Proof] = [half.proof for half in halves]
     return forms, next((proof for proof in proofs if proof != "algebra"), proofs[0])
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations
+from dataclasses import replace
+from itertools import combinations, pairwise
 from typing import Protocol
 
 import sympy as sp
@@ -16,11 +17,19 @@ import sympy as sp
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
-from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
+from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict, joined
 from restitution.oracle.roles import Role
 from restitution.records import dataclass
 from restitution.solving.algebra import forms
-from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
+from restitution.solving.algebra.intervals import (
+    End,
+    Piece,
+    existence,
+    inside_of,
+    same_at,
+    to_set,
+    with_existence,
+)
 from restitution.solving.algebra.numbers import Sample, at, bound, sample
 from restitution.solving.ranges.zeros import deciding, zeros
 
@@ -35,7 +44,8 @@ class Family(Protocol):
     """Intervals of values that depend on data: of a letter (`Region`) or of a quantity.
 
     ``shapes`` are their forms at some values of the data, and ``critical`` all that may be an end,
-    in groups of those that may meet; ``given`` are facts of the data, and ``formula`` is all that
+    in groups of those that may meet; the signs of those ``of_data`` decide too, whatever varies;
+    ``given`` are facts of the data, and ``formula`` is all that
     is asked, if letters can say it.
     """
 
@@ -45,6 +55,8 @@ class Family(Protocol):
     def shapes(self) -> list[tuple[list[Piece], Sample]]: ...
     @property
     def critical_groups(self) -> Sequence[Sequence[sp.Expr]]: ...
+    @property
+    def of_data(self) -> Sequence[sp.Expr]: ...
     @property
     def roles(self) -> Mapping[str, Role]: ...
     @property
@@ -58,12 +70,17 @@ class Family(Protocol):
 
 @dataclass(frozen=True)
 class Case:
-    """The form of a range for some values of one letter of the data."""
+    """The form of a range for some values of one letter of the data.
+
+    ``covered`` tells whether the cases of this letter, and those of which it is proved that nothing
+    is possible there, are all that there are.
+    """
 
     letter: str
     where: Piece
     pieces: tuple[Piece, ...]
     proof: Proof
+    covered: bool = True
 
     @property
     def values(self) -> sp.Set:
@@ -74,12 +91,13 @@ class Case:
 def cases(region: Family) -> list[Case]:
     """The forms of a range, each proved; none, where that is not possible.
 
-    For the values of the data that no case has, nothing is possible. Forms whose ends have values
-    for all data come before others: u < 1/(1 − e) says nothing for e = 1.
+    For the values of the data that no case has, nothing is possible; where that is not proved, the
+    forms are not. Forms whose ends have values for all data come before others: u < 1/(1 − e) says
+    nothing for e = 1.
     """
     partial: list[Case] = []
-    groups = [_finite_ends(region, critical) for critical in region.critical_groups]
-    names = symbol_names(*(end for ends in groups for end in ends))
+    groups = groups_of_ends(region)
+    names = symbol_names(*(end for ends in groups for end in ends), *region.of_data)
     names &= set(region.data())
     # For e = 0 or e = 1 a range may have another form, whatever its ends are.
     names |= {name for name in region.data() if region.roles[name].kind == "restitution"}
@@ -90,10 +108,32 @@ def cases(region: Family) -> list[Case]:
                 cases_ = _along(region, name, borders)
             except (RestitutionError, BeyondError, UndefinedError):
                 continue
-            if cases_ and all(_always_exists(region, case) for case in cases_):
+            complete = bool(cases_) and _is_complete(region, cases_)
+            if complete and all(_always_exists(region, case) for case in cases_):
                 return cases_
-            partial = partial or cases_
+            if cases_ and not partial:
+                partial = cases_ if complete else _not_proved(cases_)
     return partial
+
+
+def _is_complete(region: Family, cases_: Sequence[Case]) -> bool:
+    """Whether it is proved that nothing is possible for the data that no case has.
+
+    Borders have to have values for all data for which something is possible.
+    """
+    if cases_[0].covered or region.formula is None:
+        return cases_[0].covered
+    symbol = region.roles[cases_[0].letter].symbol(cases_[0].letter)
+    oracle = Oracle(region.roles, (*region.given, region.formula))
+    where = [case.where for case in cases_]
+    try:
+        return bool(oracle.decide(with_existence(inside_of(symbol, where), where)))
+    except BeyondError:
+        return False
+
+
+def _not_proved(cases_: Sequence[Case]) -> list[Case]:
+    return [replace(case, proof="undecided") for case in cases_]
 
 
 def _always_exists(region: Family, case: Case) -> bool:
@@ -115,11 +155,17 @@ def _finite_ends(region: Family, critical: Sequence[sp.Expr]) -> list[sp.Expr]:
     return sorted((end for end in ends if not end.has(*_NO_NUMBERS)), key=sp.default_sort_key)
 
 
+def groups_of_ends(region: Family) -> list[list[sp.Expr]]:
+    """The ends that intervals of a family may have, in groups of those that may meet."""
+    return [_finite_ends(region, critical) for critical in region.critical_groups]
+
+
 def _borders(region: Family, groups: Sequence[Sequence[sp.Expr]], name: str) -> list[sp.Expr]:
     """Where ends meet or cease to have a value, as values of one letter."""
     symbol = region.roles[name].symbol(name)
     changing = [a - b for ends in groups for a, b in combinations(ends, 2)]
     changing += [end for ends in groups for end in ends]
+    changing += region.of_data
     borders: list[sp.Expr] = []
     for value in dict.fromkeys(part for x in changing for part in deciding(x)):
         if value.has(symbol):
@@ -135,6 +181,7 @@ def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
     role = region.roles[name]
     cells = _merged(list(_cells(region, name, role, order, drawn)), drawn, name)
     cases_: list[Case] = []
+    covered = _always_in_order(region, name, cells, order)
     for where, pieces in cells:
         inside = inside_of(role.symbol(name), [where])
         if pieces:
@@ -143,10 +190,46 @@ def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
                 return []
             put = {role.symbol(name): where[0].value} if where[0].value == where[1].value else {}
             plain = tuple(_plainer(region, inside, piece, put) for piece in pieces)
-            cases_.append(Case(name, where, plain, verdict.proof))
+            cases_.append(Case(name, where, plain, verdict.proof, covered))
         elif not _empty(region, inside):
             return []
     return cases_
+
+
+def _always_in_order(
+    region: Family, name: str, cells: Sequence[Cell], order: Sequence[sp.Expr]
+) -> bool:
+    """Whether borders have values, and come in this order, for all data that allow anything."""
+    given = Oracle(region.roles, region.given)
+    facts = () if region.formula is None else (region.formula,)
+
+    def holds(claim: Relation) -> bool:
+        if not claim.value.free_symbols:
+            return True  # two numbers, put in order
+        return bool(given.decide(claim)) or bool(given.with_facts(facts).decide(claim))
+
+    try:
+        for border in order:
+            for claim in existence([border]):
+                if not holds(claim) and not _goes_on(region, name, cells, border, claim):
+                    return False
+        return all(holds(Relation(b - a, ">=")) for a, b in pairwise(order))
+    except BeyondError:
+        return False
+
+
+def _goes_on(
+    region: Family, name: str, cells: Sequence[Cell], border: sp.Expr, claim: Relation
+) -> bool:
+    """Whether a form goes on without end where its border does: k < 3/e says that of e = 0."""
+    where, pieces = next(cell for cell in cells if cell[0][1].value == border)
+    if claim.operator != "!=" or where[0].value == border:
+        return False
+    beyond = inside_of(region.roles[name].symbol(name), [(where[0], End(sp.oo, False))])
+    facts = (beyond, Relation(claim.value, "="))
+    if pieces:
+        return bool(region.proved(pieces, facts))
+    return _empty(region, joined(facts))
 
 
 def _plainer(
@@ -253,21 +336,3 @@ def _merged(cells: list[Cell], drawn: Sample, name: str) -> list[Cell]:
                 continue
         merged.append((where, pieces))
     return merged
-
-
-def same_at(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:
-    """Whether a form has the same intervals as another, at one point."""
-    try:
-        return len(form) == len(pieces) and all(
-            a.closed == b.closed and (a.value == b.value or _near(a.value, b.value, drawn))
-            for one, other in zip(form, pieces, strict=True)
-            for a, b in zip(one, other, strict=True)
-        )
-    except UndefinedError:
-        return False
-
-
-def _near(a: sp.Expr, b: sp.Expr, drawn: Sample) -> bool:
-    if a.is_infinite or b.is_infinite:
-        return False
-    return not (at(a, drawn) - at(b, drawn)).sign

@@ -39,7 +39,14 @@ from restitution.render.layout import (
 )
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
-from restitution.solving.algebra.intervals import INFINITE, End, Piece, inside_of, to_set
+from restitution.solving.algebra.intervals import (
+    INFINITE,
+    End,
+    Piece,
+    inside_of,
+    same_at,
+    to_set,
+)
 from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import Sample, at, sample, sign_beyond
 from restitution.solving.equations.part import Desk, Outcome
@@ -51,7 +58,7 @@ from restitution.solving.ranges.allowed_values import (
     values_in,
     values_of_trials,
 )
-from restitution.solving.ranges.cases import Case, cases, same_at
+from restitution.solving.ranges.cases import Case, cases
 from restitution.solving.ranges.images import Candidate, is_near, reaches, tends
 from restitution.solving.ranges.limits import LONG, breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
@@ -417,7 +424,7 @@ class _Winners:
         self._candidates = _candidates(self._region, value)
         self.role, self.roles = REAL, self._region.roles
         self.data, self.given = self._region.data, self._region.given
-        self.formula = self._region.formula
+        self.formula, self.of_data = self._region.formula, self._region.of_data
         values = [candidate.value for candidate in self._candidates]
         places = [candidate.where[name] for candidate in self._candidates]
         self.critical_groups = [

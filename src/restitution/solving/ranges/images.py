@@ -37,6 +37,8 @@ from restitution.solving.algebra.intervals import (
     inside_of,
     joined_cells,
     reconcile,
+    same_values_at,
+    with_existence,
 )
 from restitution.solving.algebra.numbers import (
     Sample,
@@ -70,6 +72,10 @@ TRIED = 60
 
 MOST_LOOKED_AT = 12
 """Of more candidates the values close to them are not worked out."""
+
+
+OTHERS_TRIED = 12
+"""Values of the data at which intervals that are not proved are looked for again."""
 
 
 PAIRS = 6
@@ -108,7 +114,7 @@ class Image:
         self.known: list[Point] = []  # places that are known to be possible
         self.role, self.roles = REAL, self.region.roles
         self.data, self.given = self.region.data, self.region.given
-        self.formula = self.region.formula
+        self.formula, self.of_data = self.region.formula, self.region.of_data
         running = {self.roles[name].symbol(name) for name in free}
         ends = (candidate.value for candidate in self.candidates)
         self.critical_groups = [[end for end in ends if not end.free_symbols & running]]
@@ -131,7 +137,19 @@ class Image:
                 break
             # With no data, all that is known is of the same values.
             shapes = [*shapes, shape] if drawn else [shape]
+        if self.proof == "undecided":
+            shapes = [*shapes, *self._others(reconcile(shapes))]
         return reconcile(shapes)
+
+    def _others(self, pieces: Sequence[Piece]) -> Iterator[tuple[list[Piece], Sample]]:
+        """Values of the data for which intervals that are not proved are seen to be others."""
+        data, rng = self.region.data(), random.Random(53)
+        for number in range(OTHERS_TRIED if data else 0):
+            drawn = sample(data, self.region.roles, rng, number % 3 == 2)
+            shape = self._shape(drawn)
+            if shape is not None and not same_values_at(shape[0], pieces, drawn):
+                yield shape
+                return
 
     @cached_property
     def shapes(self) -> list[tuple[list[Piece], Sample]]:
@@ -343,7 +361,8 @@ class Image:
             if letters_of(other) and not letters_of(other) & set(self.free)
         )
         try:
-            outer = Oracle(roles, (*more, formula)).decide(inside_of(value, pieces))
+            inside = with_existence(inside_of(value, pieces), pieces)
+            outer = Oracle(roles, (*more, formula)).decide(inside)
             if not outer:
                 return outer
             inner = Oracle(roles, (*more, *of_data, inside_of(symbol, pieces))).decide_some(

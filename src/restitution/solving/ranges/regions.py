@@ -9,7 +9,7 @@ the data, or gives values for which it is wrong, from which a better guess is ma
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -35,7 +35,15 @@ from restitution.oracle import (
 )
 from restitution.oracle.roles import Role
 from restitution.records import dataclass
-from restitution.solving.algebra.intervals import Piece, inside_of, joined_cells, reconcile
+from restitution.solving.algebra import forms
+from restitution.solving.algebra.intervals import (
+    Piece,
+    inside_of,
+    joined_cells,
+    reconcile,
+    same_values_at,
+    with_existence,
+)
 from restitution.solving.algebra.numbers import Sample, at, number_of, sample
 from restitution.solving.equations.part import Outcome
 from restitution.solving.equations.setting import Setting, Trial, out_of_range
@@ -57,6 +65,10 @@ DRAWS = 4
 
 
 DRAWS_TRIED = 60
+
+
+OTHERS_TRIED = 16
+"""Values of the data at which intervals that are not proved are looked for again."""
 
 
 ROUNDS = 4
@@ -140,7 +152,9 @@ class Region:
                 if bound is not None and name in symbol_names(*atoms):
                     atoms.append(symbol - bound)
         unique: list[sp.Expr] = []
+        oracle = Oracle(self.roles)
         for atom in atoms:
+            atom = atom.xreplace(forms.bars_of(atom, oracle))
             for part in (*deciding(atom), *told_apart(atom)):
                 for factor in essential_factors(part):
                     if factor not in unique:
@@ -151,6 +165,12 @@ class Region:
     def critical_groups(self) -> list[list[sp.Expr]]:
         """All that may be an end of an interval; any two of these may meet."""
         return [self.critical]
+
+    @cached_property
+    def of_data(self) -> list[sp.Expr]:
+        """The expressions that decide whatever varies: whether anything is possible at all."""
+        varying = {self.symbol, *(self.setting.roles[name].symbol(name) for name in self.free)}
+        return [atom for atom in self._kept_atoms if not atom.free_symbols & varying]
 
     def _demands(self, trial: Trial) -> tuple[Demand, ...] | None:
         if self.only is not None:
@@ -360,7 +380,21 @@ class Region:
                 break
         else:
             self.proof = "undecided"
+        if self.proof == "undecided":
+            shapes += self._others(reconcile(shapes))
         return reconcile(shapes)
+
+    def _others(self, pieces: Sequence[Piece]) -> Iterator[tuple[list[Piece], Sample]]:
+        """Values of the data for which intervals that are not proved are seen to be others."""
+        data, rng = self.data(), random.Random(53)
+        for number in range(OTHERS_TRIED if data else 0):
+            drawn = sample(data, self.roles, rng, number % 3 == 2)
+            if self.base is not None and not self._in_base(drawn):
+                continue
+            own = self.pieces_at(drawn)
+            if not same_values_at(own, pieces, drawn):
+                yield own, drawn
+                return
 
     @cached_property
     def shapes(self) -> list[tuple[list[Piece], Sample]]:
@@ -426,7 +460,9 @@ class Region:
         inside = inside_of(self.symbol, pieces)
         given = (*self.given, *more)
         try:
-            outer = Oracle(self.roles, (*given, self.formula)).decide(inside)
+            outer = Oracle(self.roles, (*given, self.formula)).decide(
+                with_existence(inside, pieces)
+            )
             if outer.answer != "proved":
                 return outer
             if self.free:

@@ -11,7 +11,6 @@ import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
-from typing import Literal
 
 import sympy as sp
 
@@ -36,13 +35,14 @@ from restitution.render.layout import Layout, Phrase, Words, from_set, relation
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.clearing import polynomial_of
-from restitution.solving.algebra.intervals import inside_of, to_set
+from restitution.solving.algebra.intervals import existence, inside_of, to_set
 from restitution.solving.algebra.numbers import at, sample
 from restitution.solving.algebra.polynomials import factors
 from restitution.solving.equations.part import Outcome
 from restitution.solving.equations.setting import Trial
 from restitution.solving.equations.solution import Answer
 from restitution.solving.ranges.cases import KINDS
+from restitution.solving.ranges.images import Image
 from restitution.solving.ranges.regions import Region
 from restitution.solving.story.admission import Demand, demands_for
 from restitution.solving.story.conditions import Condition
@@ -53,7 +53,8 @@ TRIED = 24
 MOST_SENSES = 2
 # What is longer is not factorised.
 LONGEST_EQUATION = 400
-_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
+_SIGNS = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠", "=": "="}
+_TURNED = {">": "<", ">=": "<="}
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,10 @@ class Limitation:
 
 
 def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
-    """What an accepted solution asks of the letters beyond what the statement does."""
+    """What an accepted solution asks of the letters beyond what the statement does.
+
+    Where `are_all_known` is false it may ask more.
+    """
     admission = trial.admission
     if admission is None and (unwieldy := tuple(_of_unwieldy(outcome, trial))):
         return unwieldy
@@ -197,11 +201,36 @@ _FUNCTIONS = {sp.acos: sp.cos, sp.asin: sp.sin, sp.atan: sp.tan}
 """An inverse function, and the one of the angle."""
 
 
+def are_all_known(outcome: Outcome, trial: Trial) -> bool:
+    """Whether all is known that a solution asks of the letters.
+
+    It is not where this is too unwieldy for formulas, rests on signs that are seen and not proved,
+    or hangs on an equation that is not decided for some senses of the letters.
+    """
+    values = trial.root.values.values()
+    if not any(role in outcome.setting.roles for role in symbol_names(*values)):
+        return True
+    if trial.admission is None:
+        return bool(_at_contacts(outcome, trial))
+    if trial.admission.assumed:
+        return False
+    base = Oracle(trial.admission.roles, presupposed(outcome))
+    return all(senses is not None for senses in _senses(base, trial))
+
+
 def _of_senses(base: Oracle, trial: Trial) -> Iterator[Demand]:
     """For which signs of letters that may have either the equations of a solution hold.
 
     What was squared on the way to it is true for both signs of a letter, and the fact for one.
     """
+    for senses in _senses(base, trial):
+        if senses:
+            either = senses[0] if len(senses) == 1 else Some(tuple(senses))
+            yield Demand(either, "", "fact")
+
+
+def _senses(base: Oracle, trial: Trial) -> Iterator[list[Formula] | None]:
+    """The senses of letters in which each equation holds, none if in all; None if undecided."""
     for equation in () if trial.admission is None else trial.admission.equations:
         inside = {s for bar in equation.atoms(sp.Abs) for s in bar.free_symbols}
         letters = sorted(
@@ -218,11 +247,10 @@ def _of_senses(base: Oracle, trial: Trial) -> Iterator[Demand]:
             if verdict.answer == "proved":
                 senses.append(sense)
             elif verdict.answer == "undecided":
-                senses = []
+                yield None
                 break
-        if 0 < len(senses) < len(every):
-            either = senses[0] if len(senses) == 1 else Some(tuple(senses))
-            yield Demand(either, "", "fact")
+        else:
+            yield senses if len(senses) < len(every) else []
 
 
 def _at_contacts(outcome: Outcome, trial: Trial) -> tuple[Demand, ...]:
@@ -266,6 +294,24 @@ def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple
     return tuple(_limits(outcome, region.trials[0], base, [gap]))
 
 
+def half_limitations(
+    outcome: Outcome,
+    trial: Trial,
+    region: Region | Image,
+    relation: Relation,
+    values: sp.Set,
+) -> tuple[Limitation, ...]:
+    """That a relation between data holds, and for which of these a range is not empty."""
+    data = set(region.data())
+    facts = [fact for fact in presupposed(outcome) if letters_of(fact) <= data]
+    base = Oracle(region.roles, tuple(facts))
+    demands = [Demand(relation, "", "fact")]
+    gap = _gap(values) if isinstance(values, sp.Interval) else None
+    if gap is not None and not base.with_facts([relation]).decide(gap.formula):
+        demands.append(gap)
+    return tuple(_plainly(base, trial, demands))
+
+
 def defined(outcome: Outcome, trial: Trial, values: Iterable[sp.Expr]) -> tuple[Limitation, ...]:
     """For which letters values exist: no divisor is zero, and no root is that of less than zero."""
     if trial.admission is None:
@@ -279,7 +325,7 @@ def _defined(
 ) -> tuple[Limitation, ...]:
     rest = [
         demand
-        for demand in _existence(values)
+        for demand in (Demand(relation, "", "fact") for relation in existence(values))
         if _is_of_visible_letters(demand)
         and letters_of(demand.formula) <= base.roles.keys()
         and not base.decide(demand.formula)
@@ -287,25 +333,10 @@ def _defined(
     return tuple(_limits(outcome, trial, base, _needed(base, rest))) if rest else ()
 
 
-def _existence(values: Iterable[sp.Expr]) -> list[Demand]:
-    """That no divisor in some values is zero, and that no root is that of less than zero."""
-    demands: list[Demand] = []
-    for power in {power for value in values for power in value.atoms(sp.Pow)}:
-        inside, exponent = power.as_base_exp()
-        if not inside.free_symbols or not exponent.is_Rational:
-            continue
-        if exponent < 0 or not exponent.is_Integer:
-            sign: Literal[">=", "!=", ">"] = (
-                ">=" if exponent > 0 else "!=" if exponent.is_Integer else ">"
-            )
-            demands.append(Demand(Relation(inside, sign), "", "fact"))
-    return demands
-
-
 def always_exist(values: sp.Set, base: Oracle) -> bool:
     """Whether the ends of a range have values for all that the other letters may be."""
     ends = values.args[:2] if isinstance(values, sp.Interval) else ()
-    return all(base.decide(demand.formula) for demand in _existence(ends))
+    return all(base.decide(demand) for demand in existence(ends))
 
 
 def _gap(values: sp.Interval) -> Demand | None:
@@ -315,8 +346,11 @@ def _gap(values: sp.Interval) -> Demand | None:
     width = values.end - values.start
     if not width.free_symbols:
         return None
+    lows = values.start.args if isinstance(values.start, sp.Max) else (values.start,)
+    highs = values.end.args if isinstance(values.end, sp.Min) else (values.end,)
     open_ = bool(values.left_open or values.right_open)
-    return Demand(Relation(width, ">" if open_ else ">="), "", "fact")
+    widths = [high - low for low, high in product(lows, highs) if (high - low).free_symbols]
+    return Demand(joined(Relation(x, ">" if open_ else ">=") for x in widths), "", "fact")
 
 
 def with_condition(
@@ -379,9 +413,27 @@ def _needed(base: Oracle, demands: list[Demand]) -> list[Demand]:
     kept = sorted(demands, key=_size)
     for demand in reversed(list(kept)):
         others = [other for other in kept if other is not demand]
-        if others and base.with_facts(d.formula for d in others).decide(demand.formula):
+        if _follows(base, demand.formula, [other.formula for other in others]):
             kept = others
     return kept
+
+
+def _follows(base: Oracle, formula: Formula, others: Sequence[Formula]) -> bool:
+    """Whether a demand follows from others, by what they say where each of them has a value.
+
+    That a root has a value follows from no relation in which it stands: of this the root may be
+    left out when it is printed, as a factor whose sign is known.
+    """
+    rooted = [other for other in others if _roots_in(other)]
+    plain = base.with_facts(other for other in others if other not in rooted)
+    facts = [*plain.facts, *(x for x in rooted if all(map(plain.proves, _roots_in(x))))]
+    return len(facts) > len(base.facts) and bool(Oracle(base.roles, tuple(facts)).decide(formula))
+
+
+def _roots_in(formula: Formula) -> list[Relation]:
+    """That what stands under the roots of a formula is not negative."""
+    values = [relation.value for relation in relations(formula)]
+    return [demand for demand in existence(values) if demand.operator != "!="]
 
 
 def _size(demand: Demand) -> int:
@@ -442,7 +494,7 @@ def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[
     facts = list(dict.fromkeys(inequality for d in demands for inequality in relations(d.formula)))
     for fact in facts:
         others = [other for other in facts if other != fact]
-        if base.decide(fact) or base.with_facts(others).decide(fact):
+        if base.decide(fact) or _follows(base, fact, others):
             facts = others
     yield from _inequalities(base, trial, facts)
 
@@ -457,13 +509,12 @@ def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iter
             )
             if high is None or not {low.operator, high.operator} <= {">", ">="}:
                 continue
-            plain = *_inequality(base, low), *_inequality(base, high)
+            plain = [_stated(own) for own in _simplified(base, (low, high))]
             chain = _chain(name, low, high)
             if len(chain.text) < sum(len(limitation.text) for limitation in plain):
                 left = [inequality for inequality in left if inequality not in (low, high)]
                 yield chain
-    for inequality in left:
-        yield from _inequality(base, inequality)
+    yield from map(_stated, _simplified(base, left))
 
 
 def _chain(name: str, low: Relation, high: Relation) -> Limitation:
@@ -516,6 +567,10 @@ def bounds_of(name: str, values: sp.Set, roles: Mapping[str, Role]) -> Limitatio
     if isinstance(values, sp.Interval):
         # An end that holds of the letter anyway need not be said.
         low, high = values.start, values.end
+        if isinstance(low, sp.Max) and role.low in low.args:
+            low = sp.Max(*(end for end in low.args if end != role.low))
+        if isinstance(high, sp.Min) and role.high in high.args:
+            high = sp.Min(*(end for end in high.args if end != role.high))
         if role.low is not None and low == role.low and values.left_open != role.closed[0]:
             low = -sp.oo
         if role.high is not None and high == role.high and values.right_open != role.closed[1]:
@@ -545,8 +600,18 @@ def _chains(name: str, values: sp.Set) -> Iterator[str]:
         yield text
 
 
-def _inequality(base: Oracle, inequality: Relation) -> Iterator[Limitation]:
-    """An inequality itself, without the factors whose sign is known; nothing if all are."""
+def _simplified(base: Oracle, inequalities: Sequence[Relation]) -> list[Relation]:
+    """Inequalities without factors whose sign is known, and without those that follow."""
+    own = list(dict.fromkeys(filter(None, (_simpler(base, each) for each in inequalities))))
+    for inequality in list(own):
+        others = [other for other in own if other != inequality]
+        if _follows(base, inequality, others):
+            own = others
+    return own
+
+
+def _simpler(base: Oracle, inequality: Relation) -> Relation | None:
+    """An inequality without the factors whose sign is known; None if all are."""
     above, below = (_of_open_sign(base, x) for x in sp.together(inequality.value).as_numer_denom())
     operator = inequality.operator
     if operator == ">=" and above.is_number:
@@ -562,16 +627,24 @@ def _inequality(base: Oracle, inequality: Relation) -> Iterator[Limitation]:
         sign = base.sign(factor)
         value *= factor if sign is None else sign
     if value.is_number and value.is_positive:
-        return
+        return None
     if operator == ">" and value.is_Pow and value.exp == sp.S.Half:
         value = value.base
-    left, right = value, sp.Integer(0)
-    if value.is_Add and len(value.args) == 2:
-        minus = [x for x in value.args if x.could_extract_minus_sign()]
+    return Relation(value, operator)
+
+
+def _stated(inequality: Relation) -> Limitation:
+    """An inequality as it is read: with what is taken away, or a number, on the right."""
+    left, right = inequality.value, sp.Integer(0)
+    operator: str = inequality.operator
+    if left.is_Add and len(left.args) == 2:
+        minus = [x for x in left.args if x.could_extract_minus_sign()]
         if len(minus) == 1:
-            left, right = value - minus[0], -minus[0]
+            left, right = left - minus[0], -minus[0]
+    if left.is_number and operator in _TURNED:
+        left, right, operator = right, left, _TURNED[operator]
     text = f"{exact.sympy_text(left)} {operator} {exact.sympy_text(right)}"
-    yield Limitation(text, relation(left, _SIGNS[operator], right))
+    return Limitation(text, relation(left, _SIGNS[operator], right))
 
 
 def _of_open_sign(base: Oracle, side: sp.Expr) -> sp.Expr:
