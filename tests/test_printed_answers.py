@@ -79,8 +79,10 @@ def test_an_end_that_is_a_root_has_its_condition_and_the_other_form_is_told() ->
     ]
     assert printed(fact="speed(A) >= 3/4 u", asked="range of alpha") == [
         "0° < α < 90°, for (14 + (3 − 4e)k)(2 − (3 + 4e)k) ≥ 0",
-        "arctan(√((14 + (3 − 4e)k)((3 + 4e)k − 2)/7)/(2 + k)) ≤ α < 90°, "
-        "for (14 + (3 − 4e)k)((3 + 4e)k − 2) > 0",
+        (
+            "arctan(√((14 + (3 − 4e)k)((3 + 4e)k − 2)/7)/(2 + k)) ≤ α < 90°, "
+            "for (14 + (3 − 4e)k)((3 + 4e)k − 2) > 0"
+        ),
     ]
 
 
@@ -96,8 +98,10 @@ def test_what_decides_for_all_values_of_a_letter_is_a_condition() -> None:
 def test_where_ends_meet_a_range_has_another_form() -> None:
     assert printed(mass="m", fact="angle(velocity(A), i) >= 30°", asked="range of e") == [
         "0 ≤ e ≤ 1, for √3(1 + k) sin α ≥ cos α",
-        "(1 − √3(1 + k) tan α)/k ≤ e ≤ 1, "
-        "for cos α > √3(1 + k) sin α and k − 1 + √3(1 + k) tan α ≥ 0",
+        (
+            "(1 − √3(1 + k) tan α)/k ≤ e ≤ 1, "
+            "for cos α > √3(1 + k) sin α and k − 1 + √3(1 + k) tan α ≥ 0"
+        ),
     ]
 
 

@@ -87,16 +87,13 @@ from restitution.solving.equations.solution import (
 from restitution.solving.equations.stages import by_nested_roots
 from restitution.solving.equations.trial_numbers import example_of
 from restitution.solving.equations.verify import verify_principles, verify_value
-<<<<<<< HEAD
-from restitution.solving.ranges.validity import Limitation, limitations, of_a_time, with_condition
-=======
 from restitution.solving.ranges.validity import (
     Limitation,
     are_all_known,
     limitations,
+    of_a_time,
     with_condition,
 )
->>>>>>> 4af24856 (ranges: ends are proved to have values, forms go by the sign of what decides, and what is undecided is said)
 from restitution.solving.story import missing
 from restitution.solving.story.forward import Story
 from restitution.solving.story.letters import is_angle
@@ -270,10 +267,10 @@ class Worker:
     def _branches(self, outcome: Outcome) -> list[Branch]:
         accepted = outcome.accepted
         for trial in outcome.undecided:
-            found = ", ".join(solved_texts(trial)) or "this"
+            solved = ", ".join(solved_texts(trial)) or "this"
             if not accepted:
-                raise UnsupportedError(f"{found}: {NOT_DECIDED}")
-            self.warn(f"{found}: {NOT_DECIDED}")
+                raise UnsupportedError(f"{solved}: {NOT_DECIDED}")
+            self.warn(f"{solved}: {NOT_DECIDED}")
         if not accepted:
             # Where the data imply an impossible coefficient, that is said, and the rest answered.
             accepted = self._with_impossible_coefficient(outcome)
@@ -500,9 +497,6 @@ class Worker:
         key = id(trial)
         if key not in self.limits:
             self.limits[key] = limitations(outcome, trial) if trial.root.values else ()
-<<<<<<< HEAD
-        limits = self.limits[key] or of_a_time(outcome, trial, item.expression, answer.value)
-=======
             if trial.root.values and not are_all_known(outcome, trial):
                 self.not_proved.add(key)
         if key in self.not_proved and answer.letters:
@@ -510,8 +504,7 @@ class Worker:
                 f"{item.text}: for which values of the letters this holds is not decided; it was "
                 "tried at some of them"
             )
-        limits = self.limits[key]
->>>>>>> 4af24856 (ranges: ends are proved to have values, forms go by the sign of what decides, and what is undecided is said)
+        limits = self.limits[key] or of_a_time(outcome, trial, item.expression, answer.value)
         if not limits:
             return answer
         plain = value_layout(answer.value, kind, answer.angle, item.percentage)

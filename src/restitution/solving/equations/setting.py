@@ -286,7 +286,8 @@ class Setting:
                     accepted.append(values)
                 else:
                     reasons[reason] += 1
-            if not accepted and not _is_refuted(admission):
+            by_formulas = possible.answer == "undecided" or reasons[EQUATION]
+            if not accepted and by_formulas and not _is_refuted(admission):
                 return Trial(assignment, (), NOT_DECIDED, "undecided", admission)
         if as_they_look is not None and as_they_look is not accepted[0]:
             accepted.sort(key=lambda attempt: attempt is not as_they_look)

@@ -602,7 +602,7 @@ def _chains(name: str, values: sp.Set) -> Iterator[str]:
 
 def _simplified(base: Oracle, inequalities: Sequence[Relation]) -> list[Relation]:
     """Inequalities without factors whose sign is known, and without those that follow."""
-    own = list(dict.fromkeys(filter(None, (_simpler(base, each) for each in inequalities))))
+    own = list(dict.fromkeys(filter(None, (_simpler(base, other) for other in inequalities))))
     for inequality in list(own):
         others = [other for other in own if other != inequality]
         if _follows(base, inequality, others):
