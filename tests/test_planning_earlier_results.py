@@ -270,15 +270,21 @@ def test_no_case_works_out_once_more_by_what_it_is_told() -> None:
     ("statement", "line"),
     [
         (
-            "sphere A: mass m, velocity u at theta\nsphere B: mass m, at rest\n"
-            "A hits B: along i, e = 1/2\ngiven tan(theta) = t\npart a\n"
-            "show tan(deflection(A)) = 3t/(1 + 4t^2)",
-            "(4 tan θ − tan θ)/(1 + 4 tan²θ) = 3 tan θ/(1 + 4 tan²θ) Since tan θ = t: "
-            "tan δ = 3t/(1 + 4t²) (as required)",
+            (
+                "sphere A: mass m, velocity u at theta\nsphere B: mass m, at rest\n"
+                "A hits B: along i, e = 1/2\ngiven tan(theta) = t\npart a\n"
+                "show tan(deflection(A)) = 3t/(1 + 4t^2)"
+            ),
+            (
+                "(4 tan θ − tan θ)/(1 + 4 tan²θ) = 3 tan θ/(1 + 4 tan²θ) Since tan θ = t: "
+                "tan δ = 3t/(1 + 4t²) (as required)"
+            ),
         ),
         (
-            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
-            "given tan(alpha) = t\npart a\nshow tan(deflection(P)) = 3t/(2 - t^2)",
+            (
+                "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+                "given tan(alpha) = t\npart a\nshow tan(deflection(P)) = 3t/(2 - t^2)"
+            ),
             "= 3 tan α/(2 − tan²α) Since tan α = t: tan δ = 3t/(2 − t²) (as required)",
         ),
     ],
@@ -290,3 +296,27 @@ def test_a_letter_for_a_tangent_comes_after_the_tangent_of_a_turn(
     parts = worked(statement)
     assert line in parts["a"]
     assert "vector product" not in parts["a"]
+
+
+def test_a_vector_that_is_given_is_compared_with_what_stands_in_letters() -> None:
+    wall = worked(
+        "wall W: along i\nsphere P: velocity 2u i - 3u j\nP hits W: e = e\npart a\n"
+        "find velocity(P)\npart b\ngiven velocity(P) = 2u i + u j\nfind e"
+    )
+    assert "3eu = u M1 e = ⅓ A1ft" in wall["b"]
+    spheres = worked(
+        "sphere A: mass 2, velocity 5i\nsphere B: mass 3, velocity -2j\n"
+        "A hits B: along i, e = e\npart a\nfind velocity(A), velocity(B)\npart b\n"
+        "given velocity(B) = 2.8i - 2j\nfind e, energy_lost"
+    )
+    assert "It is given that 𝐯_B = (2.8𝐢 − 2𝐣) m s⁻¹. w = 2.8 m s⁻¹" in spheres["b"]
+    assert "2(1 + e) = 2.8 M1" in spheres["b"]
+    assert "12.6 J" in spheres["b"]
+
+
+def test_the_square_of_a_coefficient_is_bounded_before_it() -> None:
+    parts = worked(
+        "wall W: along i\nsphere P: mass m, velocity u at 45° to W\nP hits W\npart a\n"
+        "given energy_lost > 3/8 * 1/2 m u^2\nfind range of e"
+    )
+    assert "e² < ¼ 0 ≤ e < ½, as e cannot be negative" in parts["a"]

@@ -51,6 +51,7 @@ from restitution.planning.inequalities.multiplied_out import multiplied_out
 from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
 from restitution.planning.inequalities.squares import (
     both_squared,
+    in_its_square,
     solve_in_squares,
     solve_quadratic,
     square_and_solve,
@@ -503,6 +504,9 @@ class Conditions:
                     line = in_factors(self.worths, line, known)
                     if solved is not None:
                         line = multiplied_out(self.worths, line, relation_sign, values, solved)
+                        squared = in_its_square(self.worths, line, solved)
+                        if squared is not None:
+                            return squared
                     for form in (solved, relation.only[0]):
                         if form is None:
                             continue
@@ -624,6 +628,9 @@ class Conditions:
         relation = Relation(((solved,),))
         if relation == self.scene.desk.relation(line):
             return line
+        squared = in_its_square(self.worths, line, solved)
+        if squared is not None:
+            return squared
         line = collected(self.worths, line, sign, x, solved)
         after = self.judge.write((Move("rearrange"),), [line, *self.worths.known_in(x)], relation)
         return line if after is None else after

@@ -32,7 +32,13 @@ from restitution.planning.closing.square_roots import as_square
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, difference, square, swept, total, tree_of
 from restitution.planning.writing.inequalities import solve_linear, without_signs
-from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factored,
+    numerator,
+    one_fraction,
+)
 from restitution.solving.story.letters import roles
 
 _SOLVING = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"), Move("compare"))
@@ -175,6 +181,26 @@ def solve_squares(
     if last is None or solved is not None:
         return last
     return solve_quadratic(worths, last, sign, x, known)
+
+
+def in_its_square(worths: Worths, line: int, solved: Link) -> int | None:
+    """``e² < ¼`` for e < ½, where an inequality has the square of its letter alone."""
+    match solved:
+        case Link(Letter(name) as letter, sign, bound):
+            symbol = worths.scene.model.unknowns.letter(name)
+        case _:
+            return None
+    own = worths.scene.desk.last_link(line)
+    if own.left == square(letter):
+        return line
+    gap = numerator(worths.value(own.left) - worths.value(own.right))
+    if not gap.is_polynomial(symbol) or own.left == letter:
+        return None
+    if {power for (power,) in sp.Poly(gap, symbol).monoms()} != {0, 2}:
+        return None
+    squared = Link(square(letter), sign, tree_of(tidy(worths.value(bound) ** 2)))
+    pool = [line, *worths.known_in(gap)]
+    return worths.judge.write(_SOLVING[:2], pool, Relation(((squared,),)))
 
 
 def _in_one_ratio(sign: Sign, x: sp.Expr) -> Link | None:

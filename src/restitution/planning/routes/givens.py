@@ -62,6 +62,7 @@ from restitution.planning.routes.given_energies import write_share_of_energy
 from restitution.planning.routes.given_times import write_time_since
 from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as, quoted_ratio
 from restitution.planning.routes.sizes_resolved import write_resolved_speed
+from restitution.planning.routes.standing_components import write_component_given
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between
 from restitution.planning.writing.candidates import Candidate
@@ -189,7 +190,7 @@ def _of_one_quantity(scene: Scene, given: GivenEquation, own: Quantity) -> int |
         if line is not None:
             return line
     if own.kind == "velocity":
-        return _velocity(scene, given)
+        return write_component_given(scene, given)
     if own.kind in COMPONENTS and in_letters:
         if any(is_quantity(e, "position") for e in walk(own)):
             return write_given_place(scene, given)
@@ -552,10 +553,6 @@ def _component(scene: Scene, equation: GivenEquation) -> int:
     return scene.desk.write(
         Move("put"), together(equation.refs, refs, of_it), chain(left, (right, None))
     )
-
-
-def _velocity(scene: Scene, given: GivenEquation) -> int:
-    raise NotPlannedError("a velocity that is given is put into the laws")
 
 
 def _of_two_speeds(scene: Scene, equation: GivenEquation, left: Quantity) -> int | None:

@@ -248,6 +248,7 @@ class ShownAngles(ABC):
         if written is None:
             # By a letter of the statement for a tangent.
             known = self._known(letters(first) | letters(right))
-            pool = [line, *named, *known]
-            written = self.judge.write((Move("put"),), pool, self.relation) or self._last(pool)
+            own_refs = [line, *named, *known]
+            written = self.judge.write((Move("put"),), own_refs, self.relation)
+            written = written or self._last(own_refs)
         return written
