@@ -492,7 +492,7 @@ def test_a_law_may_have_values_of_his_own_in_it() -> None:
     assert "A1 restitution" in alone
 
 
-def test_what_an_answer_has_cost_follows_through_to_the_next() -> None:
+def test_what_a_law_has_cost_follows_through_to_no_answer() -> None:
     statement = (
         "sphere A: mass 2, velocity 3i + 2j\nsphere B: mass 4, velocity -i + j\n"
         "A hits B: along i, e = 1/2\nfind speed(A), angle(velocity(A), i)\n"
@@ -506,8 +506,12 @@ def test_what_an_answer_has_cost_follows_through_to_the_next() -> None:
     end = "tan θ = 2/(1/3) = 6, θ = 80.5°"
     letters = {**BOTH, "θ": "angle(velocity(A), i)"}
     lost = kinds_lost(statement, [*first, end], letters)
+    assert [each for each in lost if each.startswith("A1ft")]
+    assert len(lost) == 3  # the equation of momentum, and both answers
+    # Behind a slip in solving the next answer follows.
+    first = ["6 - 4 = 2v + 4w", "w - v = 2", "6v = -6, v = 1", "speed of A = √(1 + 4) = √5"]
+    lost = kinds_lost(statement, [*first, "tan θ = 2, θ = 63.4°"], letters)
     assert [each for each in lost if each.startswith("A1ft")] == []
-    assert len(lost) == 2  # the equation, and the first answer
     # A law that loses its method is not followed through.
     first = ["6 - 4 = 2v + 4w", "w - v = 8", "6v = -30, v = -5", "speed of A = √(25 + 4) = √29"]
     lost = kinds_lost(statement, [*first, "tan θ = -2/5, θ = 158°"], letters)
@@ -798,8 +802,8 @@ find deflection(S)
 """
 
 
-def test_the_angles_of_a_wrong_deflection_are_no_method_for_it() -> None:
-    for sign, points in (("-", "lost lost"), ("+", "earned earned")):
+def test_the_angles_of_a_wrong_deflection_have_a_method_of_their_own() -> None:
+    for sign, points in (("-", "earned lost lost"), ("+", "earned earned")):
         value = "10.3" if sign == "-" else "63.4"
         lines = f"β = tan^-1(1/2) = 26.6\nα = 36.9\ndeflection = 36.9 {sign} 26.6 = {value}"
         marking = restitution.mark(restitution.parse(TURNED), lines, part="b")

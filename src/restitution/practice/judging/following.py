@@ -30,6 +30,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Accuracy, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
+from restitution.practice.judging.assembling import assembled_from
 from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import (
@@ -144,6 +145,8 @@ class Following(OwnValues):
             entry = self._entry_of(line, link, claim)
             if (number := self._own_root(entry)) is not None:
                 return JudgedLink("follows", claim, "exact", (number,), self._impossible(claim))
+            if lines := assembled_from(claim, entry.meanings, self.entries):
+                return JudgedLink("follows", claim, "rounded", lines)
             if sum(entry.wrong for entry in self.entries) > NAMED:
                 break
             places = deduced_from(entry, self.entries, self._base, self.question.given)

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Binary, Expression, Number, walk
+from restitution.expression.tree import Binary, Expression, Number, is_binary, walk
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.entries import (
     Entry,
@@ -85,8 +85,24 @@ def kind_of_slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction])
     if changes & {"power", "turned"}:
         return "algebra"
     if changes and changes <= {"figure", "factor"}:
-        return "arithmetic" if entry.is_value else "algebra"
+        if not entry.is_value:
+            return "algebra"
+        return None if _is_formula_in_numbers(claim.right) else "arithmetic"
     return None
+
+
+def _is_formula_in_numbers(tree: Expression) -> bool:
+    """Whether a sum of numbers stands in a quotient, a product or a power: ``(4 - 3)/5``.
+
+    That is a law with numbers put in, and one of them may be any other.
+    """
+    return any(
+        is_binary(node, "/", "*", "^")
+        and any(
+            is_binary(part, "+", "-") for side in (node.left, node.right) for part in walk(side)
+        )
+        for node in walk(tree)
+    )
 
 
 def _stands_above(correction: Correction, entries: Iterable[Entry]) -> bool:

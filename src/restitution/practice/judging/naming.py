@@ -163,6 +163,8 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = plainly(entry, judge.base, judge.entries, mended)
+        if plain == "restitution-inverted" and _is_solved_wrongly(entry, judge):
+            plain = None
         families = {variant.mistake for variant in variants}
         if len(families) > 1 and plain in families:
             # What the line shows by itself decides between laws that give one value.
@@ -316,6 +318,11 @@ class Names:
             variants = omitted or variants
         if is_coefficient(entry):
             variants = [variant for variant in variants if _replaces(variant, "restitution")]
+        last = max((variant.event.number for variant in variants), default=0)
+        if any(not variant.event.wall for variant in variants):
+            # Behind a later wall it is that wall, and not the spheres' impact before it.
+            at_walls = [v for v in variants if v.event.wall and v.event.number == last]
+            variants = at_walls or variants
         return tuple(dict.fromkeys(variant for variant in variants if _stands(variant, blocking)))
 
     def _is_kept(
@@ -519,6 +526,16 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
         and (law.law != "unchanged" or not bodies or set(bodies) & set(law.bodies))
         for law in variant.laws
         for principle, event, bodies in stated
+    )
+
+
+def _is_solved_wrongly(entry: Entry, judge: JudgedSoFar) -> bool:
+    """Whether a value of a letter stands below a true equation with it, and is solved wrongly."""
+    name = entry.claim.left
+    return isinstance(name, Letter) and any(
+        other.right and name.name in letters(other.claim.left) | letters(other.claim.right)
+        for other in judge.entries
+        if not other.is_value
     )
 
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
 
-from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -74,7 +74,7 @@ class OwnNumbers:
             self._terms[value] = tuple(dict.fromkeys((own, *others)))[:_MEANT], line
         value, meant = _without_root(value, meant)
         behind = value.right if is_binary(value, "*") else None
-        value, meant = _without_letters(value, meant)
+        value, meant = _without_letters(_with_fractions(value), meant)
         size = _size(value)
         if size is None or size in _SMALL:
             return
@@ -85,7 +85,16 @@ class OwnNumbers:
         self._known[size] = known[:_MEANT], line
 
     def put_back(self, claim: Claim) -> Iterator[Put]:
-        """A claim with what its wrong numbers stand for, and the lines that these are from."""
+        """A claim with what its wrong numbers stand for, and the lines that these are from.
+
+        A fraction is one number: 49/256 is the square of 7/16.
+        """
+        yield from self._put_back(claim)
+        whole = replace(claim, left=_with_fractions(claim.left), right=_with_fractions(claim.right))
+        if whole != claim:
+            yield from self._put_back(whole)
+
+    def _put_back(self, claim: Claim) -> Iterator[Put]:
         yield from self._with_terms(claim)
         sizes = {size for side in (claim.left, claim.right) for size in _sizes(side)}
         if claim.others:
@@ -186,6 +195,18 @@ def _without_letters(value: Expression, meant: Expression) -> tuple[Expression, 
     if _size(value.left) is None:
         return value, meant
     return value.left, Binary("/", meant, value.right)
+
+
+def _with_fractions(tree: Expression) -> Expression:
+    """A tree with fractions of two numbers as one number each."""
+    return rebuilt(tree, _as_fraction)
+
+
+def _as_fraction(node: Expression) -> Expression:
+    match node:
+        case Binary("/", Number(above), Number(below)) if below:
+            return Number(above / below)
+    return node
 
 
 def _is_near(number: Fraction, other: Fraction) -> bool:

@@ -58,13 +58,22 @@ def _are_speeds_of_one(one: Expression, other: Expression, entry: Entry, world: 
     own = _size(one, entry, world), _size(other, entry, world)
     if own[0] is None or own[1] is None:
         return False
+    return any(
+        near[0] and near[1] and near[0].isdisjoint(near[1])
+        for sizes in _speeds(world)
+        for near in [[{n for n, x in enumerate(sizes) if _are_near(size, x)} for size in own]]
+    )
+
+
+def _speeds(world: World) -> Iterator[list[Array]]:
+    """The speeds of each body at all stages, and the sizes of its components along each line."""
     for body in world.start:
         stages = range(len(world.events) + 1)
-        speeds = [world.scalar(Quantity("speed", (Name(body),), stage)) for stage in stages]
-        near = [{n for n, x in enumerate(speeds) if _are_near(size, x)} for size in own]
-        if near[0] and near[1] and near[0].isdisjoint(near[1]):
-            return True
-    return False
+        yield [world.scalar(Quantity("speed", (Name(body),), stage)) for stage in stages]
+        velocities = [Quantity("velocity", (Name(body),), stage) for stage in stages]
+        for number in world.lines:
+            line = Quantity("line_of_centres", (), number)
+            yield [np.abs(world.scalar(Quantity("along", (v, line)))) for v in velocities]
 
 
 def _size(tree: Expression, entry: Entry, world: World) -> Array | None:

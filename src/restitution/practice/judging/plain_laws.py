@@ -199,8 +199,12 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
             known = (sphere.velocity for sphere in world.problem.spheres if sphere.name == body)
             if before and any(velocity is not None for velocity in known):
                 return True
-    if variant.mistake != "restitution-parallel" or variant.event.wall:
+    if variant.mistake != "restitution-parallel":
         return False
+    if variant.event.wall:
+        number, (body, *_) = variant.event.number, variant.event.bodies
+        # Where nothing moves along the wall, e is left out and not put elsewhere.
+        return _is_zero(Quantity("across", (_velocity(body, number - 1), _line(number))), world)
     names = letters(entry.claim.left) | letters(entry.claim.right)
     bodies = {
         node.name

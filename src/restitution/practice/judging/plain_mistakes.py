@@ -559,10 +559,21 @@ def _is_ratio_of_relative_speeds(entry: Entry, world: World) -> bool:
             for pair in ((step.first, step.second),)
             for stage in (number, number - 1)
         )
-        claim = replace(entry.claim, left=Binary("/", after, before))
-        if holds_in(replace(entry, claim=claim), world):
+        claims = [replace(entry.claim, left=Binary("/", after, before))]
+        if not is_direct(number, world):
+            claims += _ratios_of_speeds(entry.claim, step, number)
+        if any(holds_in(replace(entry, claim=claim), world) for claim in claims):
             return True
     return False
+
+
+def _ratios_of_speeds(claim: Claim, step: Impact, number: int) -> Iterator[Claim]:
+    """A claim with the sums and differences of whole speeds in place of its left side."""
+    bodies = (step.first, step.second)
+    speeds = [[Quantity("speed", (Name(x),), n) for x in bodies] for n in (number, number - 1)]
+    after, before = ((Binary("+", *pair), Binary("-", *pair)) for pair in speeds)
+    for above, below in product(after, before):
+        yield replace(claim, left=Binary("/", Apply("abs", above), Apply("abs", below)))
 
 
 def is_energetic(entry: Entry) -> bool:

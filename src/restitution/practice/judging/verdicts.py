@@ -162,6 +162,8 @@ class Judge(Unlabelled):
             uses = tuple(dict.fromkeys((*uses_of_variants(explained.variants, mistake), *uses)))
         if mistake.kind == "misconception" and not mistake.variants:
             uses = tuple(use if use.altered is None else of_mistake(mistake, use) for use in uses)
+        if mistake.id == "energy-fraction-of-line" and all(x.principle != "energy" for x in uses):
+            uses = (Use("energy", None, (), f"{mistake.id}/1"), *uses)
         mended = explained.mended if mistake.kind == "slip" else None
         return replace(line, mistake=mistake, uses=uses, mended=mended)
 

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Expression,
     Letter,
@@ -46,6 +47,8 @@ from restitution.vector import Vector
 _VELOCITIES = frozenset("vVwW")
 _EARLIER = frozenset("uU")
 _IMPULSES = frozenset("IJ")
+_OF_TURNS = frozenset({"delta", "x"})
+_OF_ANGLES = frozenset({"beta", "phi", "theta"})
 
 
 class LettersOfLines:
@@ -272,19 +275,20 @@ class LettersOfLines:
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
-        return known or self._by_shape(name)
+        return known or self._by_shape(name) or self._only_speed(name) or self._only_angle(name)
 
     def _asked_velocities(self, after: Sequence[Candidate]) -> list[Candidate]:
         """The velocity that the part asks for, or whose size it does, of one body that is struck.
 
-        Behind several impacts nobody knows of which a letter speaks.
+        Behind several impacts only a velocity that is asked itself is known to be meant.
         """
         impacts = sum(isinstance(event, Impact) for event in self.around.events)
+        kinds = ("velocity", "speed") if impacts == 1 else ("velocity",)
         asked = [quantity for quantity in self.around.asked if isinstance(quantity, Quantity)]
-        stages = {(x.arguments[0], x.stage) for x in asked if x.kind in ("velocity", "speed")}
+        stages = {(x.arguments[0], x.stage) for x in asked if x.kind in kinds}
         own = [x for x in after if (Name(x.body or ""), x.event) in stages]
         open_ = {x.body for x in after if not x.given}
-        return own if len(own) == 1 and impacts == 1 and len(open_) == 1 else []
+        return own if len(own) == 1 and len(open_) == 1 else []
 
     def _event_of(self, candidate: Candidate) -> Event | None:
         """The event after which a quantity is taken."""
@@ -338,6 +342,36 @@ class LettersOfLines:
             if scope.event in (None, candidate.event)
         ]
         return max(own, key=lambda candidate: candidate.event or 0, default=None)
+
+    def _only_speed(self, name: str) -> Candidate | None:
+        """The speed after the only impact of the only sphere, for ``v = 7/16 u``, ``v² = 9/16 u²``.
+
+        No line has the letter beside others, and no quantity has its value.
+        """
+        if name not in ("v", "V") or len(self.around.problem.spheres) != 1:
+            return None
+        if len(self.around.events) != 1 or self._points(name) or name in self.angular:
+            return None
+        if any(names != {name} for own in self.items.values() for _, names in own if name in names):
+            return None
+        speeds = (x for x in self.around.candidates if x.kind == "speed" and x.event == 1)
+        return next(speeds, None)
+
+    def _only_angle(self, name: str) -> Candidate | None:
+        """The deflection or angle that the part alone asks for, or prints: of ``tan δ = …``."""
+        if name not in self.angular:
+            return None
+        angles = {
+            node
+            for tree in (*self.around.asked, *self.around.printed)
+            for node in walk(tree)
+            if isinstance(node, Quantity) and node.kind in ANGLES
+        }
+        if len(angles) != 1:
+            return None
+        (angle,) = angles
+        usual_names = _OF_TURNS if angle.kind == "deflection" else _OF_ANGLES
+        return next(of_trees([angle]), None) if name in usual_names else None
 
     def _by_shape(self, name: str) -> Candidate | None:
         """The component that a letter is by the shapes of two laws, right or wrong."""

@@ -102,6 +102,16 @@ class Surroundings:
         )
 
     @cached_property
+    def printed(self) -> tuple[Expression, ...]:
+        """The sides of the relations that the part prints, with the numbers of their events."""
+        return tuple(
+            staged(tree, self.problem, self.part, now)
+            for step, now, _ in self.problem.timeline(self.part)
+            if isinstance(step, Show) and isinstance(step.relation, Compare)
+            for tree in step.relation.operands
+        )
+
+    @cached_property
     def asks_time(self) -> bool:
         """Whether the part asks for a time."""
         return any(is_quantity(node, "time") for tree in self.asked for node in walk(tree))

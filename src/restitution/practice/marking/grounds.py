@@ -58,18 +58,17 @@ class Grounds:
         return not begun or self._has_cost(begun, point)
 
     def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
-        """Whether a true value, the last of some lines, follows through from false lines above.
+        """Whether a true value, the last of some lines, is so in his own world as well.
 
         A sign that is lost may leave a speed as it is.
         """
-        false = [line for line in lines if line.verdict == "false"]
-        return point.follows and lines[-1].his_own and self._has_cost(false, point)
+        return point.follows and lines[-1].his_own
 
     def _has_cost(self, roots: Sequence[JudgedLine], point: MarkPoint) -> bool:
         """Whether mistakes have lost an answer or a B above a point, and no law.
 
-        The equation in which a mistake stands is no answer. An answer that is written nowhere is
-        lost to the mistake as well: it could not have been right.
+        Of a law that is its method, its equation, or its B at a wall. An answer that is written
+        nowhere is lost to the mistake as well: it could not have been right.
         """
         numbers = {root.line.number for root in roots}
         above = takewhile(lambda other: other.id != point.id, self.scheme.points)
@@ -77,7 +76,7 @@ class Grounds:
         lost = [mark for mark in marks if mark.state == "lost"]
         by_these = [mark for mark in lost if self._rests_on(mark.line, numbers)]
         laws = (*LAWS, "impulse")
-        if any(mark.point.principle in laws and self._is_of_law(mark) for mark in by_these):
+        if any(mark.point.principle in laws and mark.point.item is None for mark in by_these):
             return False
         angles = [mark for mark in lost if mark.point.principle in OF_ANGLES]
         wrong = [root for root in roots if self._is_of_wrong_angle(root)]
@@ -97,16 +96,6 @@ class Grounds:
             mark.state == "lost" and mark.line == line.line.number and mark.point.principle in LAWS
             for mark in self.states.values()
         )
-
-    def _is_of_law(self, mark: PointMark) -> bool:
-        """Whether a lost mark is for a law itself: its method, or a component by a wrong one."""
-        if mark.point.letter == "M":
-            return True
-        line = self._line(mark.line)
-        named = None if line is None or line.mistake is None else line.mistake.id
-        mistake = MISCONCEPTIONS.get(named or "")
-        rule = None if mistake is None else mistake.mark_of(mark.point.principle)
-        return mark.point.principle == "restitution" and (rule or "").startswith("M0")
 
     def _rests_on(self, number: int | None, roots: set[int]) -> bool:
         """Whether a line is one of some false lines, or follows from one of them."""
@@ -202,8 +191,8 @@ class Grounds:
         )
 
     def _is_after_alone(self, line: JudgedLine) -> bool:
-        """Whether the angle after is worked out, and given as the deflection."""
-        named = line.mistake is not None and line.mistake.id == "deflection-is-after"
+        """Whether the angle after is worked out, and given as the deflection or put into it."""
+        named = line.mistake is not None and line.mistake.id in OF_DEFLECTION
         return named and line.verdict == "false"
 
     def _is_quoted(self, line: JudgedLine) -> bool:
@@ -311,6 +300,13 @@ class Grounds:
             ),
             None,
         )
+
+    def _in_squares(self, point: MarkPoint, lost: PointMark | None) -> JudgedLine | None:
+        """A true line in which the energy that is given stands by the squares of speeds alone."""
+        if point.principle not in ("energy", "condition") or lost is not None:
+            return None
+        true = (line for line in self.lines if line.verdict == "true" and line.grounded)
+        return next((line for line in true if self.values.puts_in_energy(line)), None)
 
     def _of_difference(self, point: MarkPoint) -> PointMark | None:
         """A speed by a difference of squares, which is no theorem of Pythagoras."""

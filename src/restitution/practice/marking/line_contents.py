@@ -11,6 +11,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     COMPONENTS,
     Apply,
@@ -35,7 +36,7 @@ from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import Sides, chains, spread_of
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.worlds.arrays import UnvaluedError
-from restitution.problem import Impact
+from restitution.problem import Compare, Given, Impact
 from restitution.records import dataclass
 from restitution.vector import Vector
 
@@ -248,13 +249,39 @@ class LineContents(Sides):
             for chain in chains(line)
         )
 
+    def puts_in_energy(self, line: JudgedLine) -> bool:
+        """Whether a line has squares, and needs the energy that the question gives.
+
+        So has ``v² + 3w² + u²/4 = 11u²/16``.
+        """
+        given = any(
+            node.kind in ENERGIES
+            for _, step in self._base.problem.steps()
+            if isinstance(step, Given)
+            for relation in step.relations
+            if isinstance(relation, Compare)
+            for tree in relation.operands
+            for node in quantities_in(tree)
+        )
+        if not given or self.holds_by_laws(line):
+            return False
+        return any(
+            is_binary(node, "^")
+            and letters(node.left) & (self._meanings(line).keys() | self.unknown)
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in walk(side)
+        )
+
     def speaks_of_line_alone(self, line: JudgedLine) -> bool:
         """Whether a line tells the direction of the line of centres, and of no motion."""
+        meanings = self._meanings(line)
         kinds = {
             node.kind
             for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
-            for node in quantities_in(side)
+            for tree in (side, *(meanings[name] for name in letters(side) if name in meanings))
+            for node in quantities_in(tree)
         }
         return "line_of_centres" in kinds and kinds <= {"line_of_centres", "along", "across"}
 

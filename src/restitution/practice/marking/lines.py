@@ -140,13 +140,27 @@ def as_true(line: JudgedLine) -> JudgedLine:
 
 
 def ratios_of_angles(claim: Claim) -> Iterator[tuple[str, Expression]]:
-    """The ratios that give angles, each with its inverse function: ``tan δ = 4/3``."""
+    """The ratios that give angles, each with its inverse function: ``tan δ = 4/3``, ``arctan 2``.
+
+    A ratio may be a number that is worked out.
+    """
     for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
         if isinstance(one, Apply) and one.function in INVERSE and is_binary(other, "/"):
             yield INVERSE[one.function], other
         for node in walk(one):
-            if is_function(node, *INVERSE.values()) and is_binary(node.argument, "/"):
+            if not is_function(node, *INVERSE.values()):
+                continue
+            if is_binary(node.argument, "/") or isinstance(node.argument, Number):
                 yield node.function, node.argument
+
+
+def has_cosine(line: JudgedLine) -> bool:
+    """Whether a line works out an angle from its cosine, as of a scalar product."""
+    return any(
+        function == "arccos"
+        for link in line.line.links
+        for function, _ in ratios_of_angles(link.readings[0])
+    )
 
 
 __all__ = [
@@ -156,6 +170,7 @@ __all__ = [
     "continues",
     "ends_fine",
     "fitting_uses",
+    "has_cosine",
     "has_vector",
     "is_plain",
     "is_slip",

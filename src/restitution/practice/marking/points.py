@@ -19,6 +19,7 @@ from restitution.practice.marking.lines import (
     before_mistake,
     continues,
     ends_fine,
+    has_cosine,
     is_plain,
     without_slip,
     wrong_numbers,
@@ -49,7 +50,9 @@ def marked(judgement: Judgement, schemes: Sequence[Scheme], values: Values) -> M
 
     ``values`` knows what the sides of lines are worth, and which of them name what is asked.
     """
-    tried = [_Examiner(judgement, scheme, values).marks() for scheme in schemes]
+    cosines = any(map(has_cosine, judgement.lines))
+    fitting = [scheme for scheme in schemes if not (scheme.by_angles and cosines)]
+    tried = [_Examiner(judgement, scheme, values).marks() for scheme in fitting]
     return max(tried, key=lambda marks: (marks.earned / max(marks.of, 1), marks.open))
 
 
@@ -63,6 +66,7 @@ class _Examiner(SinglePoints):
         self._forgive()
         self._follow()
         self._require()
+        self._imply_what_stands_by_itself()
         points = [self.states[point.id] for point in self.scheme.points]
         points = self._misread(points)
         points = self._too_coarse(points)
@@ -202,6 +206,20 @@ class _Examiner(SinglePoints):
                 self.states[name] = replace(
                     state, state="earned", line=result.line, why=why, implied=True
                 )
+
+    def _imply_what_stands_by_itself(self) -> None:
+        """A printed result that is earned shows each component that is said nowhere."""
+        for point in self.scheme.points:
+            result = self.states[point.id]
+            if not point.shown or result.state != "earned" or point.kind != "A1*":
+                continue
+            for name in point.above:
+                state = self.states[name]
+                if state.point.letter == "B" and state.state == "lost" and state.line is None:
+                    why = f"line {result.line} cannot be had without it"
+                    self.states[name] = replace(
+                        state, state="earned", line=result.line, why=why, implied=True
+                    )
 
     def _goes_on(self, line: JudgedLine) -> bool:
         """Whether a line begins with what a true line above it has worked out."""
@@ -472,12 +490,15 @@ class _Examiner(SinglePoints):
             if point.point.shown:
                 continue  # the statement says how fine it is
             line = self._line(point.line)
-            if line is None or line.accuracy != "coarse" or ends_fine(line):
+            if line is None or line.accuracy != "coarse":
+                continue
+            off = self.values.is_off(point.point, line)
+            if not off and (ends_fine(line) or self.values.is_to_a_tenth(point.point, line)):
                 continue
             if line.verdict != "true":
                 continue  # what follows is no right answer
             if not self._is_exact_above(point):
-                why = "given too coarsely"
+                why = "wrong by early rounding" if off else "given too coarsely"
                 return [
                     *points[:place],
                     replace(point, state="lost", why=why),

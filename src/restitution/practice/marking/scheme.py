@@ -8,6 +8,8 @@ marked by the one that gives most.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import islice
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.awarding.mark_rules import CONCLUDING, UNWRITTEN
@@ -24,7 +26,7 @@ from restitution.explaining.lines.marks import Mark, Marks, Style
 from restitution.explaining.lines.saying import say
 from restitution.explaining.lines.titles import title_of
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Expression, Letter
+from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity
 from restitution.planning.planner import plan
 from restitution.problem import Compare, Show, Value
 from restitution.records import dataclass
@@ -153,10 +155,14 @@ class MarkPoint:
 
 @dataclass(frozen=True)
 class Scheme:
-    """The points of a part by one route, in order."""
+    """The points of a part by one route, in order.
+
+    ``by_angles`` tells that it is for a deflection that is put together of angles.
+    """
 
     route: int
     points: tuple[MarkPoint, ...]
+    by_angles: bool = False
 
     @property
     def total(self) -> int:
@@ -178,7 +184,39 @@ def schemes(
         key = tuple((point.kind, point.principle, point.event) for point in points)
         if points:
             known.setdefault(key, Scheme(route, points))
-    return tuple(known.values()) or (_of_answers(solved),)
+    by_angles = (_by_angles(scheme, solved) for scheme in islice(known.values(), 1))
+    own = (*known.values(), *(scheme for scheme in by_angles if scheme is not None))
+    return own or (_of_answers(solved),)
+
+
+def _by_angles(scheme: Scheme, solved: PartSolution) -> Scheme | None:
+    """The scheme of a deflection by the angles of both velocities, where these are known.
+
+    A method for an angle of either, one for how they are put together, and the answer.
+    """
+    answer = scheme.points[-1]
+    laws = {"momentum", "restitution", "unchanged", "impulse"}
+    match answer.link:
+        case Link(Quantity("deflection", (Name(),) as body, int(number))) if not answer.shown:
+            pass
+        case _:
+            return None
+    if len(solved.items) != 1 or laws & {point.principle for point in scheme.points}:
+        return None
+    line = Quantity("line_of_centres", (), number)
+    after = Apply("tan", Quantity("angle", (Quantity("velocity", body, number), line)))
+    turn = Quantity("deflection", body, number)
+    names = tuple(name.name for name in body if isinstance(name, Name))
+    first = answer.id.rstrip("0123456789")
+    angle = MarkPoint(
+        f"{first}1", "M1", _FOR["angle"], "angle", number, names, Link(after, "=", after)
+    )
+    whole = MarkPoint(
+        f"{first}2", "M1", _FOR["deflection"], "deflection", number, names, Link(turn, "=", turn)
+    )
+    above = (angle.id, whole.id)
+    last = replace(answer, id=f"{first}3", depends=(whole.id,), above=above)
+    return Scheme(scheme.route, (angle, whole, last), by_angles=True)
 
 
 def _of_answers(solved: PartSolution) -> Scheme:

@@ -27,13 +27,16 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    Unit,
     children,
+    has_unit_vector,
     is_binary,
     is_component,
     is_function,
     is_quantity,
     letters,
     quantities_in,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -51,6 +54,8 @@ _NEAR = 1e-7
 _LEAST = 1e-9
 _ROUNDED = 2e-3
 _FIGURES = 2
+_OFF = 1.5
+"""So many units of the third figure is an answer off that values rounded too early lead to."""
 _IMPULSE = ("I", "J")
 
 
@@ -151,8 +156,13 @@ class Sides:
         except UnvaluedError:
             return False
 
-    def _has_figures_of(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
-        """Whether a number is what a quantity is worth to three figures, or more exactly."""
+    def _has_figures_of(
+        self, side: Expression, quantity: Expression, line: JudgedLine, units: float = 0.5
+    ) -> bool:
+        """Whether a number is what a quantity is worth to three figures, or more exactly.
+
+        It may differ by so many ``units`` of the third figure.
+        """
         world = self._base
         pair = self._both(world, side, quantity, self._meanings(line), line)
         if pair is None or any(isinstance(value, Vector) for value in pair):
@@ -163,7 +173,34 @@ class Sides:
             own, true = np.degrees(own), np.degrees(true)
         if np.any(true < _LEAST):
             return False
-        return bool(np.all(np.abs(own - true) <= 0.5 * 10 ** (np.floor(np.log10(true)) - 2)))
+        return bool(np.all(np.abs(own - true) <= units * 10 ** (np.floor(np.log10(true)) - 2)))
+
+    def _is_turned(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a value has the other sign than a letter that the question asks for."""
+        pair = self._both(self._base, side, quantity, self._meanings(line), line)
+        if pair is None or not isinstance(quantity, Letter):
+            return False
+        own, true = (np.atleast_1d(spread_of(self._base, value)) for value in pair)
+        return bool(np.all(own * true < 0))
+
+    def is_off(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the last decimal that a line gives for a point is wrong in its third figure.
+
+        So it is where values rounded too early have led to it: 4.65 for 4.67.
+        """
+        value = None if point.link is None else self.value_of(point.link.left, line)
+        if point.link is None or value is None or has_unit_vector(value):
+            return False
+        if not (line.line.links and line.line.links[-1].decimals):
+            return False
+        return not self._has_figures_of(value, point.link.left, line, units=_OFF)
+
+    def is_to_a_tenth(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line ends in an angle to a tenth of a degree: ``β = 8.2``."""
+        meant = None if point.link is None else point.link.left
+        last = line.line.links[-1].decimals if line.line.links else ()
+        tenth = any(decimal.half_unit <= Fraction(1, 20) for decimal in last)
+        return is_quantity(meant, *ANGLES) and tenth
 
     def _has_square(self, value: Expression, line: JudgedLine) -> bool:
         """Whether the square of a value in letters stands in a line: ``w² = v² + u² sin²α``."""
@@ -403,18 +440,18 @@ class Sides:
         """Whether a line gives the only component of a velocity, where the other one is zero."""
         size = self._size(quantity)
         return size is not None and any(
-            are_near(square, size**2) for square in self._squares(quantity, line)
+            are_near(square, size**2) for _, square in self._squares(quantity, line)
         )
 
-    def _squares(self, quantity: Expression, line: JudgedLine) -> list[Array]:
-        """The true squares of the components of a velocity that a sound line gives a value."""
+    def _squares(self, quantity: Expression, line: JudgedLine) -> list[tuple[Expression, Array]]:
+        """The components of a velocity that a sound line gives a value, with their true squares."""
         if not is_quantity(quantity, "velocity", "speed"):
             return []
         if line.verdict not in ("true", "follows", "false"):
             return []
         velocity = replace(quantity, kind="velocity")
         meanings = self._meanings(line)
-        squares: list[Array] = []
+        squares: list[tuple[Expression, Array]] = []
         for chain in chains(line):
             sides = chain[0].left, chain[-1].right
             for named, value in (sides, sides[::-1]):
@@ -423,15 +460,37 @@ class Sides:
                     self._names(quantity, velocity, {}, line) for quantity in quantities_in(tree)
                 ):
                     continue
-                if not self._is_component(tree) or not self._is_value(value, meanings, line):
+                parts = [tree]
+                if not self._is_component(tree):
+                    parts = list(self._known_parts(tree, value, line))
+                elif not self._is_value(value, meanings, line):
                     continue
-                try:
-                    true = self._base.value(named, meanings, line.line.scope)
-                except UnvaluedError:
-                    continue
-                if not isinstance(true, Vector):
-                    squares.append(spread_of(self._base, true) ** 2)
+                for part in parts:
+                    try:
+                        true = self._base.value(part, meanings, line.line.scope)
+                    except UnvaluedError:
+                        continue
+                    if not isinstance(true, Vector):
+                        squares.append((unsigned(part), spread_of(self._base, true) ** 2))
         return squares
+
+    def _known_parts(
+        self, velocity: Expression, vector: Expression, line: JudgedLine
+    ) -> Iterator[Expression]:
+        """The components that a vector with a letter in it gives a velocity: of ``v = 2i + pj``."""
+        terms = [vector]
+        while any(is_binary(term, "+", "-") for term in terms):
+            terms = [
+                part
+                for term in terms
+                for part in ((term.left, term.right) if is_binary(term, "+", "-") else (term,))
+            ]
+        if len(terms) < 2 or not is_quantity(velocity, "velocity"):
+            return
+        for term in terms:
+            axes = [node for node in walk(term) if isinstance(node, Unit)]
+            if len(axes) == 1 and not letters(term) & self._meanings(line).keys():
+                yield Quantity("along", (velocity, axes[0]))
 
     def _is_component(self, tree: Expression) -> bool:
         """Whether a tree is a component of a velocity, or that turned round."""

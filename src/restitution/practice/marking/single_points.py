@@ -114,7 +114,7 @@ class SinglePoints(Grounds):
         )
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
-        compared = self._compared(point) or self._in_a_sum(point)
+        compared = self._compared(point) or self._in_a_sum(point) or self._in_squares(point, lost)
         if compared is not None:
             return self._earned(point, compared, "")
         if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
@@ -518,17 +518,14 @@ class SinglePoints(Grounds):
         return max(needed, default=0)
 
     def _is_eliminated(self, line: JudgedLine) -> bool:
+        own = self.values.unknowns(line)
+        above = [other for other in self.lines if other.line.number < line.line.number]
+        fewer = len(own) == 1 and sum(own < self.values.unknowns(x) for x in above) > 1
+        if line.verdict == "follows" and fewer:
+            return True
         if is_of_what_stays(line):
             return False
-        if self.values.is_solved(line) or self.values.is_eliminated(line):
-            return True
-        own = self.values.unknowns(line)
-        above = (other for other in self.lines if other.line.number < line.line.number)
-        return (
-            line.verdict == "follows"
-            and len(own) == 1
-            and sum(own < self.values.unknowns(line) for line in above) > 1
-        )
+        return self.values.is_solved(line) or self.values.is_eliminated(line, put_in=fewer)
 
     def _uses(self, point: MarkPoint) -> Iterator[tuple[JudgedLine, Use]]:
         """The lines that use a point's principle, those that hold first."""

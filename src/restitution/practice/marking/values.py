@@ -341,7 +341,8 @@ class Values(LineContents):
         if not own:
             return None
         size = self._size(link.left)
-        if size is None or not any(are_near(a + b, size**2) for a in own for b in squares):
+        pairs = [(a, b) for one, a in own for other, b in squares if one != other]
+        if size is None or not any(are_near(a + b, size**2) for a, b in pairs):
             return None
         sound = all(line.verdict == "true" for line in lines if self._squares(link.left, line))
         return "own" if not sound else self._match(lines[-1])
@@ -352,7 +353,7 @@ class Values(LineContents):
         if link is None or point.shown or link.sign != "=" or len(list(chains(line))) < _SEVERAL:
             return False
         value = self.value_of(link.left, line)
-        if value is None or self.his_own:
+        if value is None or self.his_own or self._is_turned(value, link.left, line):
             return False
         return self._is_worth(value, link.left, line) or (
             is_fine(value) and self._has_figures_of(value, link.left, line)
@@ -382,9 +383,13 @@ class Values(LineContents):
         named = any(isinstance(side, Letter) and side.name in meanings for side in sides)
         return named and not any(self._changes(side, meanings, line) for side in sides)
 
-    def is_eliminated(self, line: JudgedLine) -> bool:
-        """Whether one velocity is left in an equation that no law alone gives."""
-        if line.uses and line.uses[0].principle not in _OF_SEVERAL:
+    def is_eliminated(self, line: JudgedLine, put_in: bool = False) -> bool:
+        """Whether one velocity is left in an equation that no law alone gives.
+
+        It may look like a law with the other velocity put in: ``u - v = kv + keu``.
+        """
+        own = line.uses[0].principle if line.uses else "solve"
+        if own not in _OF_SEVERAL and not (own in ("momentum", "restitution") and put_in):
             return False
         names = [self.velocities_in(claim, line) for chain in chains(line) for claim in chain]
         return any(len(name) == 1 for name in names)

@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.reading import amounts, meetings, shares
+from restitution.practice.reading import amounts, attributions, meetings, shares
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
@@ -302,6 +302,19 @@ def _of_both(match: re.Match[str], problem: Problem) -> str:
 
 _ORDINALS = ("first", "second", "third", "fourth")
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
+    (attributions.COMES_WITH, attributions.comes_with),
+    (attributions.LEAVES_WITH, attributions.leaves_with),
+    (attributions.HAS_VECTOR, attributions.has_vector),
+    (attributions.TWO_VECTORS, attributions.two_vectors),
+    (attributions.CHANGE_BEHIND, lambda match, _: match[1]),
+    (attributions.FORMULA, lambda _, __: ""),
+    (attributions.SPEEDS, attributions.speeds),
+    (attributions.LOSES_WORKED, attributions.loses_worked),
+    (attributions.TOTAL, attributions.total),
+    (attributions.IN_TOTAL, lambda match, _: f"total KE lost = {match[1]}"),
+    (attributions.OF_SIZE, lambda match, _: f"{match[1]} = "),
+    (attributions.TURN, lambda _, __: "deflection"),
+    (attributions.LISTED_COMPONENTS, lambda _, __: ""),
     (amounts.STAGE_BEHIND, amounts.stage_behind),
     (amounts.LISTED_ENERGY, amounts.listed_energy),
     (meetings.HAS_AFTER, meetings.has_after),

@@ -39,6 +39,7 @@ from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
 from restitution.practice.worlds.terms import (
     coefficient_put_in,
     component_put_in,
+    impulse_put_in,
     is_triangle,
     law_put_in,
 )
@@ -97,7 +98,12 @@ def _put_in(
     first = uses[0].principle if uses else "none"
     if not trial.true or any(is_quantity(x, *_OF_JOURNEYS) for x in trial.quantities):
         return ()  # a time is no component, whatever its number
-    if first in _RESOLVED:
+    divided = impulse_put_in(claim, world)
+    if divided is not None:
+        return (divided,)
+    # 8 - 2k = -1/4 × 8: with a multiple of the impulse in it, and restitution all the same.
+    of_impulse = first == "impulse" and not trial.is_value
+    if first in _RESOLVED or of_impulse:
         product = coefficient_put_in(claim, world, meanings, scope)
         if product is not None:
             return (product,)
@@ -219,7 +225,9 @@ class _Trial:
         )
 
     def _fact_name(self, number: int) -> str:
-        """``impulse`` for its definition where the impulse is given; else ``fact``."""
+        """``impulse`` for its definition where the impulse is given, ``energy`` for squares where
+        an energy is; else ``fact``.
+        """
         problem, part = self.states.base.problem, self.states.base.part
         given = [
             {node.kind for tree in relation.operands for node in walk(tree) if _is_quantity(node)}
@@ -230,7 +238,14 @@ class _Trial:
         ]
         moving = [kinds for kinds in given if kinds]
         impulsive = bool(moving) and all(kinds == {"impulse"} for kinds in moving)
+        if not self.is_value and any(kinds & ENERGIES for kinds in moving) and self._has_squares():
+            return "energy"
         return "impulse" if impulsive and not self.is_value else "fact"
+
+    def _has_squares(self) -> bool:
+        """Whether something is squared on a side of the line, as speeds are in energies."""
+        claim = self.line[0]
+        return any(is_binary(x, "^") for side in (claim.left, claim.right) for x in walk(side))
 
     def _loose_everywhere(self) -> bool:
         return all(
@@ -328,7 +343,7 @@ class _Trial:
         kept = tuple(
             (law, bodies) for law, bodies in best.laws if law != "unchanged" or moves(bodies[0])
         )
-        return kept or best.laws
+        return kept or (() if self._fact(best.event) else best.laws)
 
     def _principle(self, event: int, laws: Laws) -> str:
         kinds = self._kinds(event)

@@ -8,7 +8,9 @@ factor: each is a term of the law, or a sum of some, as it is or with its value 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from fractions import Fraction
+from functools import lru_cache, reduce
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -18,6 +20,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    Number,
     is_binary,
     is_quantity,
     letters,
@@ -31,11 +34,13 @@ from restitution.practice.worlds.arrays import Array, UnvaluedError
 from restitution.practice.worlds.states import States
 from restitution.practice.worlds.telling import Meanings, Telling
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact
+from restitution.problem import Compare, Given, Impact
 from restitution.records import dataclass
 from restitution.vector import Vector
 
 _MOST = 7
+_MOST_FACTORS = 5
+_ONE = Number(Fraction(1))
 _NOTHING = 1e-9
 _RESOLVING = frozenset({"sin", "cos"})
 _TRIGONOMETRIC = frozenset({"sin", "cos", "tan"})
@@ -318,6 +323,41 @@ def coefficient_put_in(claim: Claim, world: World, meanings: Meanings, scope: Sc
     return None
 
 
+def impulse_put_in(claim: Claim, world: World) -> Use | None:
+    """The impact of which a line divides the impulse that is given by a mass: ``2.5/0.25 = 10``."""
+    sizes = {
+        value
+        for _, step in world.problem.steps()
+        if isinstance(step, Given)
+        for relation in step.relations
+        if isinstance(relation, Compare)
+        for one, other in permutations(relation.operands, 2)
+        if is_quantity(one, "impulse") and (value := _plain_number(other)) is not None
+    }
+    masses = {
+        sphere.name: value
+        for sphere in world.problem.spheres
+        if isinstance(sphere.mass, Expression) and (value := _plain_number(sphere.mass)) is not None
+    }
+    impacts = [n for n, step in enumerate(world.events, 1) if isinstance(step, Impact)]
+    for side in (claim.left, claim.right):
+        if sizes and len(impacts) == 1 and is_binary(side, "/"):
+            above, below = _plain_number(unsigned(side.left)), _plain_number(side.right)
+            bodies = tuple(name for name, mass in masses.items() if mass == below)
+            if above in sizes and bodies:
+                return Use("impulse", impacts[0], bodies[:1])
+    return None
+
+
+def _plain_number(tree: Expression) -> Fraction | None:
+    match tree:
+        case Number(value):
+            return value
+        case Binary("/", Number(above), Number(below)) if below:
+            return above / below
+    return None
+
+
 def component_put_in(claim: Claim, world: World, scope: Scope) -> Use | None:
     """The impact at which a line in numbers works out a component that does not change.
 
@@ -361,27 +401,36 @@ def _relative(velocities: Sequence[Vector]) -> Vector:
 
 
 def _products(claim: Claim) -> Iterator[tuple[Expression, Expression | _Divided]]:
-    """A factor of a side with the product of the others, or with what stands above it."""
+    """Some factors of a side with the product of the others, or with what stands above them.
+
+    To divide is to multiply by one over it: ``5 × 2/5`` has the factor 2/5, ``6/3`` a third.
+    """
     for side in (claim.left, claim.right):
         tree = unsigned(side)
         if not isinstance(tree, Binary):
             continue
         if tree.op == "/":
             yield tree.right, _Divided(tree.left)
-        factors = _factors(tree)
-        for place, factor in enumerate(factors):
-            rest = factors[:place] + factors[place + 1 :]
-            if rest:
-                product = rest[0]
-                for further in rest[1:]:
-                    product = _times(product, further)
-                yield factor, product
+        factors = list(_factors(tree))[:_MOST_FACTORS]
+        for number in range(1, len(factors)):
+            for chosen in combinations(range(len(factors)), number):
+                rest = [factor for place, factor in enumerate(factors) if place not in chosen]
+                yield _product_of([factors[place] for place in chosen]), _product_of(rest)
 
 
-def _factors(tree: Expression) -> list[Expression]:
+def _product_of(factors: Sequence[Expression]) -> Expression:
+    return reduce(_times, factors)
+
+
+def _factors(tree: Expression) -> Iterator[Expression]:
     if is_binary(tree, "*"):
-        return [*_factors(tree.left), *_factors(tree.right)]
-    return [tree]
+        yield from _factors(tree.left)
+        yield from _factors(tree.right)
+    elif is_binary(tree, "/"):
+        yield from _factors(tree.left)
+        yield from (Binary("/", _ONE, factor) for factor in _factors(tree.right))
+    else:
+        yield tree
 
 
 def _has_size(
