@@ -380,7 +380,7 @@ show angle(velocity(P), W) <= alpha
         (
             "wall W: along j, through (6, 0)\nsphere A: mass 2, at (-3, -1), velocity 3i + j\n"
             "sphere B: mass 1, at (0, 0), at rest\nA hits B: along i, e = 1/2\nB hits W: e = 1/2\n"
-            "find distance(A, B)"
+            "find position(A), distance(A, B)"
         ),
         ["for A, which is at the origin at the first impact:"],
     ),

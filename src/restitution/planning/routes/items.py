@@ -38,12 +38,13 @@ from restitution.expression.tree import (
 from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.ratios_by_speeds import write_ratio_of_path
 from restitution.planning.angles.sums_of_angles import (
     angles_in,
     made_of_angles,
     write_sum_of_angles,
 )
-from restitution.planning.angles.turning import is_angle, write_angle, write_ratio
+from restitution.planning.angles.turning import is_angle, write_angle
 from restitution.planning.axes.by_changes import write_axis, write_wall
 from restitution.planning.axes.momenta import write_by_momentum, write_total_kept
 from restitution.planning.axes.opposite_impulses import is_by_vectors
@@ -103,7 +104,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))
         case Apply("sin" | "cos" | "tan" as function, angle) if is_angle(scene, angle):
-            scene.desk.end(name, *write_ratio(scene, function, angle))
+            scene.desk.end(name, *write_ratio_of_path(scene, function, angle))
         case Letter() | Binary() if (summed := _of_angles(scene, solver, asked)) is not None:
             scene.desk.end(name, *summed)
         case Letter() if named is not None:

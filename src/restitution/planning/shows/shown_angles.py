@@ -11,6 +11,7 @@ from functools import partial
 
 import sympy as sp
 
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import (
     Link,
     Meaning,
@@ -34,7 +35,8 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
 from restitution.planning.angles.angles_by_letters import write_by_equal_letters
-from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
+from restitution.planning.angles.ratios_by_speeds import write_ratio_of_path
+from restitution.planning.angles.turning import angle_line, is_angle
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, chain, together
@@ -43,6 +45,7 @@ from restitution.planning.writing.forms import (
     is_rational,
     negative,
     product,
+    square,
     tree_of,
 )
 from restitution.planning.writing.judging import Judge
@@ -169,24 +172,34 @@ class ShownAngles(ABC):
     def _ratio_as_asked(self, angle: Quantity) -> int | None:
         """A ratio of an angle as it is written where it is asked, then in the printed form."""
         match self.link.left:
-            case Apply("sin" | "cos" | "tan" as function, tree) if is_angle(self.scene, tree):
+            case Apply("sin" | "cos" | "tan" as function, tree) | Binary(
+                "^", Apply("sin" | "cos" as function, tree)
+            ) if is_angle(self.scene, tree):
                 pass
             case _:
                 return None
-        mark = self.claims.worths.mark()
-        try:
-            self.claims.worths.determine(angle)
-            line, _ = write_ratio(self.scene, function, tree)
-        except NotPlannedError:
+        # The sine of an angle that may be 0 comes by its cosine: its square tells it, too.
+        squared = isinstance(self.link.left, Binary) and function == "sin"
+        for ratio in (function, "cos") if squared else (function,):
+            mark = self.claims.worths.mark()
+            try:
+                self.claims.worths.determine(angle)
+                line, _ = write_ratio_of_path(self.scene, ratio, tree)
+            except NotPlannedError:
+                self.claims.worths.back(mark)
+                continue
+            if says(self.scene, line, self.link):
+                return line
+            right = self.scene.desk.last_link(line).right
+            names = self._known(letters(right) | letters(tree))
+            if ratio != function:
+                relation = chain(square(Apply(ratio, tree)), (_squared(self.scene, right), None))
+                line = self.judge.write((Move("rearrange"),), [line, *names], relation) or line
+            printed = self._last([line, *self.claims.worths.name_of(angle), *names])
+            if printed is not None:
+                return printed
             self.claims.worths.back(mark)
-            return None
-        if says(self.scene, line, self.link):
-            return line
-        names = self._known(letters(self.scene.desk.last_link(line).right) | letters(tree))
-        printed = self._last([line, *self.claims.worths.name_of(angle), *names])
-        if printed is None:
-            self.claims.worths.back(mark)
-        return printed
+        return None
 
     def _turned(self, angle: Quantity) -> int | None:
         """The tangent of an angle between two velocities, by their angles to one line."""
@@ -252,3 +265,13 @@ class ShownAngles(ABC):
             written = self.judge.write((Move("put"),), own_refs, self.relation)
             written = written or self._last(own_refs)
         return written
+
+
+def _squared(scene: Scene, tree: Expression) -> Expression:
+    """The square of a value; of a quotient that of what is above and of what is below."""
+    match tree:
+        case Apply("sqrt", inside):
+            return inside
+        case Binary("/", above, below):
+            return Binary("/", _squared(scene, above), _squared(scene, below))
+    return square(tree) if letters(tree) else tree_of(tidy(scene.scalar(tree) ** 2))
