@@ -81,3 +81,13 @@ def test_who_come_along_both_axes_meet_where_these_cross() -> None:
     )
     assert "(i) t = (4d − d/2)/(2u) = 7d/(4u) M1 A1" in text
     assert "A moves parallel to the x-axis, and B parallel to the y-axis:" in text
+
+
+def test_on_one_line_nobody_is_said_to_be_met() -> None:
+    text = printed(
+        "wall W: along j, through (8, 0)\nsphere A: mass 4, velocity 3i, at (0, 0)\n"
+        "sphere B: mass 1, at rest, at (2, 0)\nA hits B: along i, e = 1/4\n"
+        "B hits W: e = 1/2\nA hits B: e = 1/4\nfind position(A)"
+    )
+    assert "A meets B" not in text
+    assert "velocity × time, for A: position of A at the third impact = " in text

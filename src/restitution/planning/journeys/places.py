@@ -133,13 +133,18 @@ def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source 
     if other is None or not any(True for _ in contact_of(scene, stage)):
         return None
     theirs = standing(scene, coordinate_tree(other, stage, axis))
-    since = last_move(scene, other, stage)
-    if theirs is None and (rests(scene, other, stage) or keeps_still(scene, other, since, axis)):
+    if theirs is None and (rests(scene, other, stage) or _is_met(scene, body, other, stage, axis)):
         theirs = coordinate_moved(scene, other, stage, axis)
     if theirs is None:
         return None
     gap, refs = scene.put(offset_at(scene, body, stage, axis))
     return Source(tidy(theirs.value + gap), together((f"contact {stage}",), theirs.refs, refs))
+
+
+def _is_met(scene: Scene, body: str, other: str, stage: int, axis: Axis) -> bool:
+    """Whether the other body alone keeps its coordinate until both meet."""
+    own, theirs = (keeps_still(scene, e, last_move(scene, e, stage), axis) for e in (body, other))
+    return theirs and not own
 
 
 def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
