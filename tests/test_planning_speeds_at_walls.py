@@ -74,6 +74,29 @@ find a, b
 """,
         ("cos β = 0.6", "b = 5 × 0.6", "⅓a = 5 × 0.8 = 4", "a = 12"),
     ),
+    "nothing told before a slanting wall": (
+        """wall W: along 3i + 4j
+sphere P: mass 2
+P hits W: e = 0.4
+given speed(P) = 10, tan(angle(velocity(P), W)) = 3/4
+find speed(P, 0), impulse
+""",
+        (
+            "the component in the direction of 𝐭 stays 10 × 0.8 = 8 m s⁻¹",
+            "10 × 0.6 = 0.4(𝐮_P · 𝐧)",
+            "√(15² + 8²) = 17 m s⁻¹",
+            "= 2(15 + 6) = 42 N s",
+        ),
+    ),
+    "nothing told before a wall in degrees": (
+        """wall W: along 30°
+sphere P: mass 0.5
+P hits W: e = 0.5
+given speed(P) = 5, angle(velocity(P), W) = 25°
+find speed(P, 0), angle(velocity(P, 0), W)
+""",
+        ("5 sin 25° = 0.5(𝐮_P · 𝐧)", "√((10 sin 25°)² + (5 cos 25°)²)", "≈ 43.0°"),
+    ),
     "nothing told of the velocity before": (
         """wall W: along j
 sphere P: mass 0.3

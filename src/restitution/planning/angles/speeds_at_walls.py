@@ -160,17 +160,20 @@ def start_by_what_follows(scene: Scene, turned: GivenEquation, fast: GivenEquati
     known = f"velocity {body}" in scene.facts or scene.last_event(body, number - 1)
     if known or scene.others or not all(part.is_Symbol for part in velocity):
         return False
-    if not any(part == 0 for part in frame.n):
+    if not all(part.is_number for part in frame.n):
         return False
     mark = scene.desk.mark()
     shares = _shares(scene, turned, body, frame)
     e = scene.coefficient(number)
     if shares is None or scene.unknown(e.value) or scene.model.sign(e.value) <= 0:
         return False
+    worths: dict[str, sp.Expr] = {}
+    lines: list[int] = []
     for kind, (ratio, sources) in zip(("across", "along"), shares, strict=True):
         share = product(size, ratio)
         component = frame.component(kind, body, 0)
-        pool = together(sources, fast.refs, e.refs if kind == "along" else (), frame.refs)
+        named = frame.names_axis(kind)
+        pool = together(sources, fast.refs, e.refs if kind == "along" else (), named)
         worth = tidy(scene.scalar(share) / (e.value if kind == "along" else 1))
         move = Move("law", _RECORDS[kind], frame.number, (body,))
         if kind == "along":
@@ -189,12 +192,13 @@ def start_by_what_follows(scene: Scene, turned: GivenEquation, fast: GivenEquati
             line = scene.desk.write(Move("rearrange"), (line,), alone)
         scene.desk.know(component, worth, (line,))
         late = tidy(scene.scalar(share) * (1 if kind == "across" else -1))
-        after = together(sources, fast.refs, frame.refs, (line,))
+        after = together(sources, fast.refs, named, (line,))
         _know_after(scene, body, frame, kind, late, after)
-        (letter,) = (
-            e for e, n in zip(velocity, frame.n, strict=True) if (n == 0) == (kind == "across")
-        )
-        scene.desk.know(Letter(letter.name), worth, (line,))
+        worths[kind] = worth
+        lines.append(line)
+    whole = frame.n * worths["along"] + frame.t * worths["across"]
+    for letter, part in zip(velocity, whole, strict=True):
+        scene.desk.know(Letter(letter.name), tidy(part), lines)
     return True
 
 

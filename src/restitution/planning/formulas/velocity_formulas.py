@@ -330,6 +330,10 @@ def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
 def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
     """The square of the speed at the start, by its size or by its components."""
     fact = f"velocity {body}"
+    if fact not in scene.facts and (pair := _start_at_a_wall(scene, body)) is not None:
+        tree = total(square(tree_of(source.value)) for source in pair)
+        refs = together(*(source.refs for source in pair))
+        return tree, sum(source.value**2 for source in pair), refs
     initial = scene.initial(body)
     if fact not in scene.facts:
         value, refs = scene.put(initial.value)
@@ -342,6 +346,20 @@ def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple
     value, refs = scene.put(initial.value)
     tree = total(square(tree_of(other)) for other in value if other != 0)
     return tree, sum(other**2 for other in value), together((fact,), refs)
+
+
+def _start_at_a_wall(scene: Scene, body: str) -> tuple[Source, Source] | None:
+    """The components of a velocity of which nothing is told, at the first wall, as lines of it."""
+    number = next((n for n in sorted(scene.model.frames) if body in scene.bodies(n)), None)
+    if number is None or scene.model.frames[number].wall is None:
+        return None
+    frame = scene.frame(number)
+    along, across = (scene.desk.known(frame.component(kind, body, 0)) for kind in COMPONENTS)
+    if along is None or across is None or not all((along.value, across.value)):
+        return None
+    if any(scene.unknown(source.value) for source in (along, across)):
+        return None
+    return along, across
 
 
 def speed_formula(scene: Scene, quantity: Quantity) -> Formula:

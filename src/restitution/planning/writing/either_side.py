@@ -6,9 +6,11 @@ other. So there are two solutions, of which one is the other seen in a mirror.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
+
+import sympy as sp
 
 from restitution.components.frames import Frame as Resolved
 from restitution.components.letters import protected_letters
@@ -87,8 +89,9 @@ def on_one_side(
 def as_one(part: PartSolution, models: list[Model], desk: Desk) -> list[Model]:
     """The solutions, or the one that is written for all, where they are one seen in mirrors.
 
-    Of a velocity at the start nothing is told, it is in front of a wall along an axis, and each
-    item has one answer. The body is taken to move in the senses of **i** and **j**.
+    Of a velocity at the start nothing is told, it is in front of a straight wall, and each
+    item has one answer. It is taken to move in the senses of **i** and **j**, or of the normal
+    of a slanting wall and of that turned to the left.
     """
     if len(models) < 2 or any(len(item.distinct) != 1 for item in part.items):
         return models
@@ -96,10 +99,12 @@ def as_one(part: PartSolution, models: list[Model], desk: Desk) -> list[Model]:
     if len(chosen) != 1:
         return models
     (own,) = chosen
-    for body in own.story.spheres:
-        for first, *others in zip(*(e.branch.story.velocity(body, 0) for e in models), strict=True):
-            if any(not own.identically_zero(first**2 - other**2) for other in others):
-                return models
+    for frame in own.frames.values():
+        for body in (e for e in own.happening(frame.number).bodies if e in own.story.spheres):
+            for direction in (frame.n, frame.n.turned_left()):
+                first, *others = (e.branch.story.velocity(body, 0).dot(direction) for e in models)
+                if any(own.sign(first**2 - other**2) != 0 for other in others):
+                    return models
     return chosen
 
 
@@ -112,11 +117,15 @@ def _comes_as_it_is_drawn(own: Model, desk: Desk) -> bool:
             if body in seen or any(fact.id == f"velocity {body}" for fact in desk.facts):
                 continue
             seen.add(body)
-            velocity = own.branch.story.velocity(body, 0)
-            beside = [part for part, n in zip(velocity, frame.n, strict=True) if n == 0]
-            if frame.wall is None or len(beside) != 1:
+            if frame.wall is None or not all(part.is_number for part in frame.n):
                 return False
-            if any(own.sign(part) <= 0 for part in velocity):
+            velocity = own.branch.story.velocity(body, 0)
+            parts: Iterable[sp.Expr] = velocity
+            if 0 not in frame.n:
+                axis = next(fact for fact in desk.facts if fact.id == f"axis {number}")
+                n = own.story.evaluator(number).direction(axis.relation.only[0].right)
+                parts = velocity.dot(n), velocity.dot(n.turned_left())
+            if any(own.sign(part) <= 0 for part in parts):
                 return False
     return bool(seen)
 
