@@ -129,7 +129,7 @@ class Ends:
     def _answers_in_letters(self, derivation: Derivation) -> Iterator[tuple[str, int]]:
         """The lines above the ends of items in which they are in the letters that are asked.
 
-        A fact further down has given these letters values since.
+        A fact further down has given these letters values since, or gives the answer itself.
         """
         every = [
             frozenset(step.in_terms_of or ()) if isinstance(step, Find) else frozenset[str]()
@@ -138,8 +138,10 @@ class Ends:
         ]
         terms = dict(zip(self._asked, every, strict=False))
         for end in derivation.items:
+            last = derivation.line(end.line)
+            is_given = last is not None and last.shown == "silent"
             asked = terms.get(end.item)
-            if not asked or end.shown or len(end.answer.options) != 1:
+            if not (asked or is_given) or end.shown or len(end.answer.options) != 1:
                 continue
             left = letters(end.answer.only[-1].right)
             for line in derivation.lines:
@@ -148,7 +150,8 @@ class Ends:
                         subject == end.answer.only[0].left and line.number < end.line
                     ):
                         names = letters(links[-1].right)
-                        if left < names <= asked and not has_quantity(links[-1].right):
+                        wanted = left < names and (is_given or names <= (asked or frozenset()))
+                        if wanted and not has_quantity(links[-1].right):
                             yield end.item, line.number
                             break
 
