@@ -74,6 +74,15 @@ find a, b
 """,
         ("cos β = 0.6", "b = 5 × 0.6", "⅓a = 5 × 0.8 = 4", "a = 12"),
     ),
+    "a deflection with a tangent that is given": (
+        """wall W: along j
+sphere P: mass 2, velocity 10 at 50° to W
+P hits W
+given tan(angle(velocity(P), W)) = 3/4
+find e, deflection(P)
+""",
+        ("tan β = ¾", "β ≈ 36.87°", "δ = 50° + β = 50° + arctan(3/4)", "≈ 86.9°"),
+    ),
     "nothing told before a slanting wall": (
         """wall W: along 3i + 4j
 sphere P: mass 2

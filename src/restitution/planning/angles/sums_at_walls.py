@@ -47,6 +47,13 @@ def write_sum(scene: Scene, asked: Quantity, angle_line: Callable[[Scene, Quanti
     for stage in (event - 1, event):
         velocity = Quantity("velocity", (Name(body),), scene.last_event(body, stage))
         quantity = Quantity("angle", (velocity, Name(frame.wall)))
+        inverse = _inverse_as_a_line(scene, quantity)
+        if inverse is not None:
+            names.append(inverse[0])
+            terms.append(scene.desk.last_link(inverse[1][0]).right)
+            refs += inverse[1]
+            total_ += scene.scalar(terms[-1])
+            continue
         given = _given_angle(scene, velocity, frame.wall) or _kept_angle(scene, quantity)
         if given is not None:
             name = tree_of(given.value, angle=True)
@@ -85,6 +92,30 @@ def write_sum(scene: Scene, asked: Quantity, angle_line: Callable[[Scene, Quanti
         if scene.judge.follows(move, pool, by_names):
             relation = by_names
     return scene.desk.write(move, pool, relation)
+
+
+def _inverse_as_a_line(scene: Scene, angle: Quantity) -> tuple[Letter, tuple[int, Ref]] | None:
+    """The letter of an angle of which a ratio is given as a number, and the line of its inverse.
+
+    With it what the letter stands for. None where no such ratio is given.
+    """
+    given = given_by_its_ratio(scene, angle)
+    if given is None or not isinstance(given[0], Apply):
+        return None
+    mark, (inverse, refs) = scene.desk.mark(), given
+    letter, meaning = letter_of(scene, angle)
+    ratio = Apply(inverse.function.removeprefix("arc"), Letter(letter))
+    line = scene.judge.write(
+        (Move("fact"),), (*refs, meaning), chain(ratio, (inverse.argument, None))
+    )
+    worth = tree_of(scene.scalar(inverse), angle=True)
+    relation = chain(Letter(letter), (worth, None))
+    extent = f"0° <= {letter} <= 90°"
+    number = line and scene.judge.write((Move("inverse"),), (line, extent), relation)
+    if not number:
+        scene.desk.back(mark)
+        return None
+    return Letter(letter), (number, meaning)
 
 
 def _kept_angle(scene: Scene, angle: Quantity) -> Source | None:
