@@ -100,9 +100,10 @@ def _inverse_as_a_line(scene: Scene, angle: Quantity) -> tuple[Letter, tuple[int
     With it what the letter stands for. None where no such ratio is given.
     """
     given = given_by_its_ratio(scene, angle)
-    if given is None or not isinstance(given[0], Apply):
+    inverse, refs = (None, ()) if given is None else given
+    if not isinstance(inverse, Apply):
         return None
-    mark, (inverse, refs) = scene.desk.mark(), given
+    mark = scene.desk.mark()
     letter, meaning = letter_of(scene, angle)
     ratio = Apply(inverse.function.removeprefix("arc"), Letter(letter))
     line = scene.judge.write(
