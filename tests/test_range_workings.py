@@ -9,7 +9,7 @@ import pytest
 
 import restitution
 from restitution.language import parse
-from restitution.workings import explain
+from restitution.workings import explain, to_text
 
 
 @pytest.mark.parametrize(
@@ -424,3 +424,20 @@ find minimum of speed(P)*speed(Q) over alpha
     shown = " ".join(str(explain(restitution.solve(parse(text)), check=True)).split())
     assert "decreases" not in shown
     assert "> 0, as α is acute" in shown
+
+
+def test_a_product_is_divided_by_the_factor_whose_sign_is_plain() -> None:
+    text = """
+sphere A: mass m, velocity 3u i + u j
+sphere B: mass 2m, velocity -u i + u j
+A hits B: along i
+given energy(B) < energy(A)
+find range of e
+"""
+    explanation = explain(restitution.solve(parse(text)), check=True)
+    assert explanation.warnings == ()
+    lines = " ".join(to_text(explanation).split())
+    assert (
+        "(1 + 4e)(5 − 4e) < 0 Dividing by 1 + 4e, which is positive as e ≥ 0: 5 − 4e < 0 e > 5/4 "
+        "But e ≤ 1. So what is described cannot happen."
+    ) in lines

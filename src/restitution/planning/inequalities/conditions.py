@@ -58,7 +58,11 @@ from restitution.planning.inequalities.squares import (
     without_roots,
     write_speeds,
 )
-from restitution.planning.inequalities.standard_conditions import as_quadratic, in_factors
+from restitution.planning.inequalities.standard_conditions import (
+    as_quadratic,
+    in_factors,
+    is_linear,
+)
 from restitution.planning.inequalities.standing_ratios import write_by_a_ratio
 from restitution.planning.inequalities.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.inequalities.worths import Worths
@@ -210,6 +214,9 @@ class Conditions:
         line = self._by_steps(link, fact.id, pool, relation, x, sign)
         if line is None:
             return None
+        if self._is_one_factor(line):
+            bound = self.scene.desk.last_link(line)
+            sign, x = bound.sign, expanded(self.worths.value(bound.left))
         return self.finished(line, sign, x, wanted)
 
     def _by_cotangent(self, fact: Fact, link: Link) -> Bounded | None:
@@ -502,6 +509,8 @@ class Conditions:
                     if x.has(sp.sin) and x.has(sp.cos):
                         line = self._square_of_ratio(line)
                     line = in_factors(self.worths, line, known)
+                    if solved is None and self._is_one_factor(line):
+                        return line
                     if solved is not None:
                         line = multiplied_out(self.worths, line, relation_sign, values, solved)
                         squared = in_its_square(self.worths, line, solved)
@@ -530,6 +539,11 @@ class Conditions:
         if line is not None:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
+
+    def _is_one_factor(self, line: int) -> bool:
+        """Whether a line says the sign of something that is linear in a letter."""
+        link = self.scene.desk.last_link(line)
+        return is_zero(link.right) and is_linear(self.worths.value(link.left))
 
     def _with_a_ratio_cancelled(self, line: int, link: Link, relation: Relation) -> int | None:
         """A condition in which sin² + cos² = 1 leaves a ratio of an angle as a factor of all."""

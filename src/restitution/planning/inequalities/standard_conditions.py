@@ -13,6 +13,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, walk
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.solving.algebra.numbers import plain_sign
 
 _MOVES = (Move("rearrange"), Move("cancel"), Move("compare"))
 
@@ -47,7 +48,34 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     trees = sorted(map(tree_of, sums), key=lambda tree: not isinstance(tree, Letter))
     relation = Relation(((Link(product(*trees), sign, ZERO),),))
     written = worths.judge.write(_MOVES, [line, *known], relation)
-    return line if written is None else written
+    return line if written is None else _open_factor(worths, written, sums, sign, known)
+
+
+def _open_factor(
+    worths: Worths, line: int, factors: Sequence[sp.Expr], sign: Sign, known: Sequence[Ref]
+) -> int:
+    """``5 − 4e < 0`` for ``(1 + 4e)(5 − 4e) < 0``: the one factor whose sign is not known."""
+    ground = worths.scene.model.ground
+    # 1 + 4e is positive at sight, 5 − 4e only as e is not more than 1.
+    senses = {factor: plain_sign(factor) for factor in factors}
+    if list(senses.values()).count(None) > 1:
+        senses = {factor: proved_sign(ground, factor) for factor in factors}
+    open_ = [factor for factor in factors if not senses[factor]]
+    if len(open_) != 1 or not is_linear(open_[0]):
+        return line
+    for factor in factors:
+        sign = FLIPPED[sign] if senses[factor] == -1 else sign
+    relation = Relation(((Link(tree_of(open_[0]), sign, ZERO),),))
+    after = worths.judge.write((Move("cancel"), Move("compare")), [line, *known], relation)
+    return line if after is None else after
+
+
+def is_linear(x: sp.Expr) -> bool:
+    """Whether an expression is of the first degree in its one letter."""
+    if len(x.free_symbols) != 1:
+        return False
+    (symbol,) = x.free_symbols
+    return bool(x.is_polynomial(symbol) and sp.degree(x, symbol) == 1)
 
 
 def _angle_of_tangents(worths: Worths, link: Link) -> sp.Symbol | None:
