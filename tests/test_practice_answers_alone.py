@@ -101,6 +101,7 @@ def test_what_each_body_loses_is_an_energy() -> None:
     assert said(found) == ["true"] * 3
     assert found["marks"]["earned"] == found["marks"]["of"]
     assert said(marked(PAIR, "a", "A loses momentum 2(6 - 2) = 8"))[0] != "false"
+    assert said(marked(PAIR, "a", "A loses 12 - 4 = 8"))[0] != "false"  # of momentum
 
 
 def test_components_listed_with_a_factor_are_no_equation() -> None:
@@ -230,3 +231,24 @@ find e
     points = restitution.mark(solution_of(pair), "\n".join(lines)).json()["marks"]["points"]
     energy = [point["state"] for point in points if point["for"] == "kinetic energy"]
     assert energy[0] == "earned"
+
+
+def test_the_complement_of_an_angle_is_no_answer() -> None:
+    lines = ("tan 35 = 0.700", "tan β = 0.6 tan 35 = 0.42")
+    assert said(marked(WALL, "a", *lines, "β = 22.8")) == ["true"] * 3
+    wrong = ("along 6.553, perp 2.753", "tan β = 6.553/2.753, β = 67.2°")
+    assert said(marked(WALL, "a", *wrong))[1] == "false"
+    assert "false" not in said(marked(WALL, "a", *wrong, "angle = 90 - 67.2 = 22.8"))
+
+
+def test_a_deflection_has_the_letter_of_one() -> None:
+    pair = """sphere A: mass m, velocity u at 45°
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+part a
+find velocity(A)
+part b
+show tan(deflection(A)) = 3/5
+"""
+    assert said(marked(pair, "b", "tan b = 4", "tan δ = (4 + 1)/(1 - 4)"))[1] == "false"
+    assert said(marked(pair, "b", "tan b = 4", "tan δ = (4 - 1)/(1 + 4) = 3/5"))[1] == "true"

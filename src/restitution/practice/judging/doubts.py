@@ -166,6 +166,7 @@ class Doubts:
             and not self._is_of_a_letter(rival, name, number)
             and not self._is_asked_speed(name, number)
             and not self._is_asked_share(name, number)
+            and not self._is_taken_for_asked(name, number)
         )
 
     def _is_of_a_letter(self, rival: Interpretation, name: str, number: int) -> bool:
@@ -196,6 +197,13 @@ class Doubts:
         if not (is_phrase(name) and is_binary(meant, "/")):
             return False
         return any(self._agree(meant, tree) for tree, _ in self.bench.wanted.asked)
+
+    def _is_taken_for_asked(self, name: str, number: int) -> bool:
+        """Whether a letter is taken for the angle that is asked, as no line has that otherwise."""
+        meaning = self.meanings.best.at(number)[name]
+        asked = (tree for tree, _ in self.bench.wanted.asked)
+        is_angle = kind_of(meaning.quantity) in ANGLES
+        return meaning.by == "default" and is_angle and meaning.quantity in asked
 
     def _is_asked_angle(self, name: str, meant: Expression, line: JudgedLine) -> bool:
         """Whether a letter is the only angle that is asked, by the sizes in a scalar product.

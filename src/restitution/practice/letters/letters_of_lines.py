@@ -358,8 +358,12 @@ class LettersOfLines:
         return next(speeds, None)
 
     def _only_angle(self, name: str) -> Candidate | None:
-        """The deflection or angle that the part alone asks for, or prints: of ``tan δ = …``."""
-        if name not in self.angular:
+        """The deflection or angle that the part alone asks for, or prints: of ``tan δ = …``.
+
+        Behind several impacts an angle may be any of several.
+        """
+        impacts = sum(isinstance(event, Impact) for event in self.around.events)
+        if name not in self.angular or impacts > 1:
             return None
         angles = {
             node

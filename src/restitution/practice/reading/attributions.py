@@ -26,12 +26,13 @@ LEAVES_WITH = re.compile(
 )
 HAS_VECTOR = re.compile(
     rf"(^|[,;]|\b(?:{_SO})\b)\s*([A-Z])\s+(?:now\s+)?"
-    rf"(?:has|gets|is\s+left\s+with|moves\s+(?:with|at))\s+(?:velocity\s+)?"
+    r"(?:has|gets|is\s+left\s+with|moves\s+(?:with|at))\s+"
     rf"(?={_VECTOR}\s*(?:$|[,;.]|and\b))",
 )
 TWO_VECTORS = re.compile(rf"^\s*(?:{_SO}\s+)?({_VECTOR})\s+and\s+({_VECTOR})\s*$")
 LOSES_WORKED = re.compile(
-    rf"(^|[,;]|\b(?:{_SO})\b)\s*([A-Z])\s+(?:loses|lost|gains|gained)\s+(?=[\d(½][^=,;<>]*=)(?![^=]*[A-Za-z]{3})",
+    rf"(^|[,;]|\b(?:{_SO})\b)\s*([A-Z])\s+(?:loses|lost|gains|gained)\s+(?=[\d(½][^=,;<>]*=)"
+    r"(?=[^=]*(?:1/2|½|0?\.5|²|\^2))(?![^=]*[A-Za-z]{3})",
 )
 TOTAL = re.compile(rf"^\s*(?:{_SO}\s+)?total\s+(?:(?:is|of)\s+)?(?=\d[\d./]*\s*$)", re.IGNORECASE)
 IN_TOTAL = re.compile(
