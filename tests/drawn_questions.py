@@ -115,7 +115,7 @@ def drawn_question(seed: int) -> Question:
     name = names[seed % len(names)]
     shape = SHAPES[name]
     fixed = bool(shape.quantities) and rng.random() < 0.5
-    facts = shape.facts + (ALIGNED if fixed and "velocity(A)" in "".join(shape.facts) else ())
+    facts = shape.facts + (ALIGNED if fixed and "speed(A) {R} speed(B)" in shape.facts else ())
     story, fact = (_filled(rng.choice(texts), rng, fixed) for texts in (shape.stories, facts))
     letters = _letters_of(story)
     letter = rng.choice([other for other in shape.letters if other in letters])

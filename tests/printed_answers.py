@@ -78,7 +78,8 @@ def drawn(names: tuple[str, ...], rng: random.Random) -> dict[str, Any]:
             values[name] = mp.mpf(rng.choice((1, 2, 3)))
             continue
         if kind_of(name) == "coefficient" and rng.random() < 0.15:
-            values[name] = mp.mpf(rng.choice((0, 1)))
+            # With two coefficients of 0 all is at rest, and has no direction.
+            values[name] = mp.mpf(rng.choice((0, 1)) if "f" not in names else 1)
             continue
         share = Fraction(rng.randint(1, 99), 100)
         if rng.random() < 0.15:
@@ -232,7 +233,7 @@ LEAST = mp.mpf(10) ** -60
 
 def of_text(text: str, data: Mapping[str, Any]) -> Any:
     """The number that an exact text is."""
-    if not re.search("CRootOf|Min|Max", text) and len(text) < LONG:
+    if not re.search("CRootOf|Min|Max|atan2", text) and len(text) < LONG:
         return number_of(text.replace("Abs(", "abs("), data)
     letters = {name: sp.Symbol(name) for name in data}
     value = number(sp.sympify(text, locals=letters), data)

@@ -78,7 +78,8 @@ def _deciding(region: Family) -> Iterator[sp.Expr]:
         changing = essential_factors(value)
         for factor in (sp.Mul(*changing), *changing):
             names = {symbol.name for symbol in factor.free_symbols}
-            if names <= data and -factor not in seen:
+            is_angle = factor.has(sp.atan, sp.atan2, sp.asin, sp.acos)
+            if names <= data and not is_angle and -factor not in seen:
                 seen[factor] = None
     # A coefficient alone has its ends among the cases of one letter.
     yield from sorted(
