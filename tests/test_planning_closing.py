@@ -256,7 +256,7 @@ def test_an_angle_and_the_speed_after_a_wall_are_put_into_both_laws() -> None:
     _, derivation = planned(
         f"{WALL}\ngiven angle(velocity(P), W) = 30°, speed(P) = 1/2 u\nfind alpha, e"
     )
-    assert said(derivation)[0] == "1/2 u cos(30°) = u cos(alpha)"
+    assert said(derivation)[0] == "u cos(alpha) = 1/2 u cos(30°)"
     assert len(lines(derivation, "law")) == 2
 
 

@@ -100,7 +100,7 @@ CASES = {
         WALL.format(
             angle="alpha", e="", given=f"speed(P) = v, {AFTER} = 30°, alpha = 60°", asked="v"
         ),
-        ["Speed of P = component ÷ cosine of its angle: v = (u/2)/cos 30°"],
+        ["Parallel to W the velocity does not change: u/2 = v cos 30°"],
     ),
     "sizes of momenta": (
         SPHERES.format(

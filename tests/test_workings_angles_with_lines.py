@@ -65,7 +65,7 @@ SAYS = {
             "P hits BC: e = 0.6\nfind speed(P)"
         ),
         (
-            "angle between 𝐯₁ and BC ≈ 70° − 22.76° ≈ 47.24°",
+            "angle between 𝐯₁ and BC ≈ 180° − 110° − 22.76° ≈ 47.24°",
             "component of 𝐯₁ towards BC ≈ 6.646 sin 47.24° ≈ 4.879 m s⁻¹",
             "component of 𝐯₁ parallel to BC ≈ 6.646 cos 47.24° ≈ 4.512 m s⁻¹",
             "does not change: the component stays 4.512 m s⁻¹.",
@@ -79,7 +79,7 @@ SAYS = {
         ),
         (
             "tan β = (5.6 sin 38°)/(8 cos 38°) = 0.7 tan 38°",
-            "angle between 𝐯₁ and BC ≈ 80° − 28.67°",
+            "angle between 𝐯₁ and BC ≈ 180° − 100° − 28.67°",
             "component of 𝐯₁ towards BC ≈ 7.185 sin 51.33° ≈ 5.610 m s⁻¹",
         ),
     ),
@@ -88,7 +88,7 @@ SAYS = {
             "wall AB: along i\nwall BC: along 60°\nsphere P: velocity u at 60° to AB\n"
             "P hits AB: e = 1/3\nfind angle(velocity(P), BC)"
         ),
-        ("tan β = (√3 u/6)/(u/2) = √3/3", "angle between 𝐯_P and BC = 60° − 30° = 30°"),
+        ("tan β = (√3 u/6)/(u/2) = √3/3", "angle between 𝐯_P and BC = 180° − 120° − 30° = 30°"),
     ),
     "a wall that is sought, at right angles to a path": (
         (
@@ -132,7 +132,7 @@ SAYS = {
             "P hits BC: e = 1/2\nfind speed(P)"
         ),
         (
-            "with β from part (a): angle between 𝐯₁ and BC = 75° − 30° = 45°",
+            "with β from part (a): angle between 𝐯₁ and BC = 180° − 105° − 30° = 45°",
             "(u/2)/cos 30° = √3 u/3",
             "(√3 u/3) sin 45° = √6 u/6",
         ),

@@ -42,6 +42,7 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figures import (
     FIGURES_BETWEEN,
     Figures,
+    angles_in_figures,
     degrees_of,
     has_plain_angles,
     is_figures,
@@ -452,6 +453,8 @@ class Chains:
         tree, calculated = trees[n], self._figures.with_calculator
         if calculated and n > 1 and is_figures(trees[n - 1]):
             return trees[n - 1]  # it is the same number
+        if n > 1 and is_figures(trees[n - 1]) and is_sum_with_inverse(tree):
+            return angles_in_figures(tree)
         outcome = n == len(trees) - 1 > 1 and not isinstance(tree, Apply)
         if calculated and line.move.record == "scalar-angle":
             outcome = False  # a cosine needs more figures than its angle

@@ -21,7 +21,7 @@ from restitution.planning.routes.course import Course
 from restitution.planning.routes.given_directions import wall_of, write_resolved
 from restitution.planning.routes.givens import candidate_of, write_given
 from restitution.planning.routes.off_from_rest import write_speed_from_rest
-from restitution.planning.routes.standing_components import stands_in_letters
+from restitution.planning.routes.standing_components import is_compared
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import ZERO, tree_of
@@ -65,7 +65,7 @@ class ByFacts(Course):
                     take_blow(self.scene, body.name, event)  # type: ignore[union-attr]
                     return (own,)
                 case Quantity("velocity"):
-                    if stands_in_letters(self.scene, given):
+                    if is_compared(self.scene, given):
                         continue
                     if not self._component_is_given(given):
                         self._take_velocity(given)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import COMPONENTS, Expression, Name, Quantity
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.forms import UnwrittenError, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
@@ -24,9 +24,21 @@ class _Standing(NamedTuple):
     frame: Frame
 
 
-def stands_in_letters(scene: Scene, given: GivenEquation) -> bool:
-    """Whether a line has a component, in letters that are open, of a velocity that is given."""
-    return any(_standing(scene, given))
+def is_compared(scene: Scene, given: GivenEquation) -> bool:
+    """Whether a line has a component, in letters that are open, of a velocity that is given.
+
+    Then the line that compares them can be written.
+    """
+    if not any(_standing(scene, given)):
+        return False
+    mark = scene.desk.mark()
+    try:
+        write_component_given(scene, given)
+    except (NotPlannedError, UnwrittenError):
+        return False
+    finally:
+        scene.desk.back(mark)
+    return True
 
 
 def write_component_given(scene: Scene, given: GivenEquation) -> int:
@@ -66,4 +78,4 @@ def _standing(scene: Scene, given: GivenEquation) -> Iterator[_Standing]:
             yield _Standing(body, component, own, axis, frame)
 
 
-__all__ = ["stands_in_letters", "write_component_given"]
+__all__ = ["is_compared", "write_component_given"]

@@ -32,9 +32,11 @@ def with_kept_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
 def with_one_angle(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The working with the ratios of an angle that comes first, and none of its complement.
 
-    An angle of the data comes before any other. It is the same working where nothing is to be
-    changed, or where a line would not be accepted.
+    An angle of the data comes before any other. It is the same working where several bodies have
+    angles of their own, where nothing is to be changed, or where a line would not be accepted.
     """
+    if sum(fact.id.startswith("velocity ") for fact in derivation.facts) > 1:
+        return derivation
     lines = [line for line in derivation.lines if isinstance(line.relation, Relation)]
     data = [fact.relation for fact in derivation.facts]
     of_data = dict.fromkeys(_angles(tree for relation in data for tree in relation.trees))

@@ -41,10 +41,10 @@ def assembled_from(claim: Claim, meanings: Meanings, entries: Sequence[Entry]) -
     inside = roots[0].argument
     if not is_binary(inside, "+"):
         return ()
-    found = [_entry_of(_root(term), entries) for term in (inside.left, inside.right)]
-    own = [entry for entry in found if entry is not None]
+    summands = [_entry_of(_root(term), entries) for term in (inside.left, inside.right)]
+    own = [entry for entry in summands if entry is not None]
     wrong = {entry.number for entry in entries if not entry.right}
-    if len(own) < len(found) or own[0] is own[1] or wrong.isdisjoint(x.number for x in own):
+    if len(own) < len(summands) or own[0] is own[1] or wrong.isdisjoint(x.number for x in own):
         return ()
     return tuple(dict.fromkeys(entry.number for entry in own))
 

@@ -108,7 +108,7 @@ def _is_of_long_roots(relation: Relation) -> bool:
         for link in option:
             tangent = is_function(link.left, "tan")
             nodes = walk(link.right)
-            if any(map(_is_nested_root, nodes)):
+            if any(_is_nested_root(node) and not _is_to_be_worked_out(node) for node in nodes):
                 return True
             if tangent and any(_is_of_nested_roots(node, True) for node in nodes):
                 return True
@@ -178,6 +178,11 @@ def _is_term(tree: Expression) -> bool:
 def _is_open(tree: Expression) -> bool:
     """Whether a node is a letter or a quantity, or a power that is still to be worked out."""
     return is_binary(tree, "^") or isinstance(tree, Letter | Quantity)
+
+
+def _is_to_be_worked_out(tree: Expression) -> bool:
+    """Whether a value has letters, or powers that are still to be worked out: √((√3)² + 1)."""
+    return any(map(_is_open, walk(tree)))
 
 
 def _is_nested_root(tree: Expression) -> bool:
