@@ -222,7 +222,7 @@ SAYS = [
     (NO_MOMENTUM, "= 𝟎"),
     (TOUCHING, "From the centre of A to the centre of B: the line of centres is parallel to"),
     (CUSHION, "Substituting for tan α in (1): x-coordinate of P at the impact = 27/7 m"),
-    (LATE, "δ = 180° − 45° − θ = 180° − 45° − arctan(5(√70 − 4)/27) = 135° − "),
+    (LATE, "δ = 180° − 45° − θ ≈ 180° − 45° − 38.96° M1 ≈ 96.0°"),
     (LOSS_GIVEN, "72mu²(1 − e²)/5 = 0.6 × (29mu²/2)"),
     (
         ASIDE,

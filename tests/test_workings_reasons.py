@@ -310,7 +310,11 @@ show angle(velocity(P), W) <= alpha
     "a bound that is a product of the letter is one before it is solved": (
         REST.format(angle="alpha", m="m", e="")
         + "given speed(A) = u/2\nfind cos(alpha) in terms of e\nfind range of e",
-        ["e(2 − e) > 0, as 3 − e > 0", "e > 0, as 2 − e > 0", "0 < e ≤ 1"],
+        [
+            "e(2 − e) > 0, as 3 − e > 0",
+            "Dividing by 2 − e, which is positive as e ≤ 1:",
+            "0 < e ≤ 1",
+        ],
     ),
     # v = (1 − 3e)u cos α/4.
     "why a coefficient that a range bounds is at most 1": (

@@ -46,6 +46,7 @@ from restitution.workings.naming.figures import (
     degrees_of,
     has_plain_angles,
     is_figures,
+    is_sum_of_inverses_of_roots,
     is_sum_with_inverse,
     is_with_calculator,
     of_plain_angles,
@@ -453,8 +454,8 @@ class Chains:
         tree, calculated = trees[n], self._figures.with_calculator
         if calculated and n > 1 and is_figures(trees[n - 1]):
             return trees[n - 1]  # it is the same number
-        if n > 1 and is_figures(trees[n - 1]) and is_sum_with_inverse(tree):
-            return angles_in_figures(tree)
+        if is_sum_of_inverses_of_roots(trees[-1]) and not self._goes_into_others(line):
+            return angles_in_figures(tree) if is_sum_with_inverse(tree) else tree
         outcome = n == len(trees) - 1 > 1 and not isinstance(tree, Apply)
         if calculated and line.move.record == "scalar-angle":
             outcome = False  # a cosine needs more figures than its angle
@@ -473,6 +474,11 @@ class Chains:
         first = trees[1]
         new = self._figures.is_of_roots(first) and not self._figures.has_known(first)
         return len(trees) > 2 and new
+
+    def _goes_into_others(self, line: Line) -> bool:
+        """Whether a line below goes on from it, and does more than to say its value."""
+        below = (own for own in self._derivation.lines if line.number in own.premises)
+        return any(own.move.id != "value" for own in below)
 
     def _stays_exact(self, line: Line, last: Expression) -> bool:
         """Whether a value with roots of sums of roots stays exact: a root, a short answer."""

@@ -18,6 +18,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
@@ -221,6 +222,17 @@ class Leads(Titles):
             return (self._by_an_identity(line, source),)
         return None
 
+    def _as_it_stands(self, factor: Expression, line: Line) -> Expression:
+        """A factor in the sense in which it stands above: 2 − e, and not e − 2."""
+        match factor:
+            case Binary("-", left, right):
+                other = Binary("-", right, left)
+            case _:
+                return factor
+        cited = self._derivation.lines_in(line.premises)
+        nodes = {node for own in cited for tree in trees_of(own.relation) for node in walk(tree)}
+        return other if other in nodes and factor not in nodes else factor
+
     def _cancelled(
         self,
         factor: Expression,
@@ -229,7 +241,7 @@ class Leads(Titles):
         source: Source | None,
     ) -> Sentence:
         """Which factor is cancelled, and by what it is known not to be zero."""
-        formula = self._naming.layout(factor)
+        formula = self._naming.layout(self._as_it_stands(factor, line))
         equations = () if source is None else self._numbers(source)
         if len(equations) > 1:
             first, *rest = equations

@@ -341,7 +341,7 @@ class Figures:
         own = unsigned(tree)
         if own in self._known and not (self.with_calculator and own in self._alone):
             return tree
-        if is_sum_with_inverse(tree) and (self.with_calculator or _is_of_inverses_of_roots(tree)):
+        if self.with_calculator and is_sum_with_inverse(tree):
             return angles_in_figures(tree)
         if self.with_calculator and not outcome:
             tree = _by_degrees(tree)
@@ -479,10 +479,10 @@ def is_sum_with_inverse(tree: Expression) -> bool:
     )
 
 
-def _is_of_inverses_of_roots(tree: Expression) -> bool:
+def is_sum_of_inverses_of_roots(tree: Expression) -> bool:
     """Whether a sum of angles has several inverses, with roots among them, that nobody reads."""
     inverses = [node for node in walk(tree) if is_inverse(node)]
-    return len(inverses) > 1 and any(map(has_root, inverses))
+    return is_sum_with_inverse(tree) and len(inverses) > 1 and any(map(has_root, inverses))
 
 
 def _is_sum_of_angles(tree: Expression) -> bool:
