@@ -312,7 +312,7 @@ show angle(velocity(P), W) <= alpha
         + "given speed(A) = u/2\nfind cos(alpha) in terms of e\nfind range of e",
         [
             "e(2 − e) > 0, as 3 − e > 0",
-            "Dividing by 2 − e, which is positive as e ≤ 1:",
+            "e > 0, as 2 − e > 0",
             "0 < e ≤ 1",
         ],
     ),

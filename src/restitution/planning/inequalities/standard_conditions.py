@@ -66,7 +66,11 @@ def _open_factor(
     for factor in factors:
         sign = FLIPPED[sign] if senses[factor] == -1 else sign
     relation = Relation(((Link(tree_of(open_[0]), sign, ZERO),),))
+    mark = worths.mark()
     after = worths.judge.write((Move("cancel"), Move("compare")), [line, *known], relation)
+    if after is not None and worths.scene.desk.line(after).premises == (line,):
+        worths.back(mark)  # nothing would say why the factor is positive
+        return line
     return line if after is None else after
 
 
