@@ -320,3 +320,14 @@ def test_the_square_of_a_coefficient_is_bounded_before_it() -> None:
         "given energy_lost > 3/8 * 1/2 m u^2\nfind range of e"
     )
     assert "e² < ¼ 0 ≤ e < ½, as e cannot be negative" in parts["a"]
+
+
+def test_vectors_that_cancel_are_compared_in_numbers() -> None:
+    """The momenta before add up to nothing, but for rounding."""
+    parts = worked(
+        "sphere A: mass 2, velocity 6i + 3j\nsphere B: mass 1, at rest\n"
+        "sphere C: mass 3, velocity -2i\nA hits B: along i, e = 1/2\n"
+        "B hits C: along 3i + 4j, e = 1/4\npart a\nfind velocity(A), velocity(B, 1)\n"
+        "part b\nfind velocity(B), velocity(C)"
+    )
+    assert "6𝐢 − 3 × 2𝐢 = (33/10)𝐢 − (18/5)𝐣 + 3𝐯_C" in parts["b"]

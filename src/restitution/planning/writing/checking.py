@@ -212,7 +212,12 @@ def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
         a, b = (
             value if isinstance(value, Vector) else Vector(value, value) for value in (left, right)
         )
-        near = max(abs(a.x - b.x), abs(a.y - b.y)) <= _ROUNDING * max(_size(a), _size(b))
+        apart = max(abs(a.x - b.x), abs(a.y - b.y))
+        near = apart <= _ROUNDING * max(_size(a), _size(b))
+        if not near:
+            # What is left of vectors that cancel is compared with these.
+            terms = (_magnitude(side, value) for side in (link.left, link.right))
+            near = apart <= _ROUNDING * max(terms)
         return near if link.sign == "=" else not near
     gap: float = left - right
     size: float = max(abs(left), abs(right))
