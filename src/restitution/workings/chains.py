@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -36,6 +36,13 @@ from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
+from restitution.workings.chain_sides import (
+    Draft,
+    is_made_of_figures,
+    is_multiple,
+    is_value,
+    sign_of,
+)
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.ends import Ends
@@ -76,7 +83,7 @@ from restitution.workings.naming.row_sides import (
 )
 from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
 from restitution.workings.naming.solved_figures import leads_elsewhere
-from restitution.workings.naming.sources import is_displacement, is_time, is_vector
+from restitution.workings.naming.sources import is_time, is_vector
 from restitution.workings.naming.values_of_letters import in_the_other_sense, with_values
 from restitution.workings.rendering.steps import Row
 
@@ -93,24 +100,6 @@ _GOES_ON_IN_FIGURES = _WORKED_OUT | {"identity", "cancel"}
 # What is divided by the length of a direction: a reader sees its root below the line.
 _BY_A_LENGTH = frozenset({"scalar-angle", "component"})
 WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
-
-
-@dataclass
-class _Draft:
-    """A chain while its row is laid out: the sides as trees and as layouts, with their signs."""
-
-    line: Line
-    links: tuple[Link, ...]
-    trees: list[Expression]
-    in_figures: frozenset[int]
-    sides: list[lay.Layout]
-    signs: list[str]
-    #: Exact values behind figures, by the numbers of their sides: none stands in the end.
-    idle: dict[int, lay.Layout]
-    #: Sides with figures put in, which are still to be worked out.
-    worked: list[lay.Layout]
-    #: Sides in which angles of the one before are joined by a formula, with a calculator.
-    joined: list[lay.Layout]
 
 
 class Chains:
@@ -207,7 +196,7 @@ class Chains:
                 trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
         return trees
 
-    def _draft(self, line: Line, links: tuple[Link, ...]) -> _Draft:
+    def _draft(self, line: Line, links: tuple[Link, ...]) -> Draft:
         """The sides as they are set by themselves, with figures for values that are on paper."""
         trees = self._trees(links)
         nested = any(map(self._figures.has_sums_of_roots, trees))
@@ -234,9 +223,9 @@ class Chains:
             for n, link in enumerate(links, 1)
         ]
         signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
-        return _Draft(line, links, trees, in_figures, sides, signs, idle, worked, joined)
+        return Draft(line, links, trees, in_figures, sides, signs, idle, worked, joined)
 
-    def _as_asked(self, draft: _Draft, last: bool) -> None:
+    def _as_asked(self, draft: Draft, last: bool) -> None:
         """Sides that are written otherwise: zero vectors, what was typed, three figures."""
         line, links, trees, sides = draft.line, draft.links, draft.trees, draft.sides
         match trees:
@@ -254,7 +243,7 @@ class Chains:
             if link.sign == "≈":
                 sides[n] = to_three_figures(trees[n]) or sides[n]
 
-    def _with_quotients(self, draft: _Draft) -> None:
+    def _with_quotients(self, draft: Draft) -> None:
         """Quotients as they stand before they are shortened, and the tangent that is left out."""
         line, links, trees = draft.line, draft.links, draft.trees
         sides, signs = draft.sides, draft.signs
@@ -281,7 +270,7 @@ class Chains:
             alone = len(trees) == 2 and self._naming.in_fractions(trees[0])
             sides[1 : 1 + alone], signs[:alone] = [quotient], ["="]
 
-    def _with_senses(self, draft: _Draft) -> None:
+    def _with_senses(self, draft: Draft) -> None:
         """Components in the sense in which a reader knows them."""
         links, sides = draft.links, draft.sides
         back = in_the_other_sense(self._derivation, self._naming, draft.line, links)
@@ -294,7 +283,7 @@ class Chains:
             sides[1:] = [turned[id(side)] for side in sides[1:]]
             draft.idle = {n: turned.get(id(side), side) for n, side in draft.idle.items()}
 
-    def _with_its_end(self, draft: _Draft) -> None:
+    def _with_its_end(self, draft: Draft) -> None:
         """The end of a chain as an answer, without what nobody writes on the way to figures."""
         line, links, trees, idle = draft.line, draft.links, draft.trees, draft.idle
         sides, signs = draft.sides, draft.signs
@@ -308,7 +297,7 @@ class Chains:
         without_doubles(sides, signs)
         for n in idle:
             self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
-        rounded = is_plain(sides[-2]) or _is_multiple(sides[-2])
+        rounded = is_plain(sides[-2]) or is_multiple(sides[-2])
         if signs[-2:] == ["≈", "≈"] and rounded and not self._is_open(draft):
             del sides[-2], signs[-2]  # an answer has three figures at once
         shortest = 1000 if self._measures.decimals else _NEVER_READ
@@ -340,7 +329,7 @@ class Chains:
         if figures != exact:
             self._figures.stands_for(exact, figures)
 
-    def _ratio_in_figures(self, draft: _Draft) -> Expression:
+    def _ratio_in_figures(self, draft: Draft) -> Expression:
         """The figures of a tangent, or of a cosine by a scalar product; else the last side."""
         line, exact, put = draft.line, draft.links[-1].right, draft.trees[-1]
         if line.move.record != "scalar-angle":
@@ -348,11 +337,11 @@ class Chains:
         alone = self._figures.with_calculator and of_plain_angles(exact)
         return self._figures.cosine(exact) if alone and not is_figures(put) else put
 
-    def _is_open(self, draft: _Draft) -> bool:
+    def _is_open(self, draft: Draft) -> bool:
         """Whether the side before the last is still to be worked out, so that it is printed."""
         before = draft.sides[-2]
         if self._figures.with_calculator:
-            return not (_is_multiple(before) or is_vector(draft.links[0].left))
+            return not (is_multiple(before) or is_vector(draft.links[0].left))
         return before in draft.worked
 
     def _one_figure_more(self, line: Line) -> lay.Layout | None:
@@ -415,7 +404,7 @@ class Chains:
         if isinstance(links[0].left, Apply) and tangent != exact[-1]:
             self._figures.stands_for(exact[-1], tangent)  # of the angle itself, next
         first = min(put - {0}, default=0)
-        if first and is_value(exact[0]) and _is_made_of_figures(trees[first]):
+        if first and is_value(exact[0]) and is_made_of_figures(trees[first]):
             # Where its square is taken, say, it stands as it does here.
             self._figures.stands_for(exact[-1], trees[first])
         if put and any(map(self._figures.has_sums_of_roots, exact)):
@@ -694,29 +683,3 @@ class Chains:
         for n, tree in enumerate(trees):
             if unit and tree not in subject and not is_zero(tree):
                 sides[n] = with_unit(sides[n], unit)
-
-
-def is_value(tree: Expression) -> bool:
-    """Whether a side names one quantity, whose dimension is known."""
-    return isinstance(tree, Letter | Quantity) or is_time(tree) or is_displacement(tree)
-
-
-def _is_multiple(side: lay.Layout) -> bool:
-    """Whether a side is a number, or one before letters and their powers."""
-    if isinstance(side, lay.Sum) and len(side.terms) == 1:
-        side = side.terms[0][1]  # a negative one
-    factors = side.factors if isinstance(side, lay.Product) else (side,)
-    open_ = lay.Sum | lay.Fraction | lay.Brackets | lay.Number | lay.Function | lay.Product
-    return isinstance(factors[0], lay.Number) and not any(
-        isinstance(factor, open_) for factor in factors[1:]
-    )
-
-
-def _is_made_of_figures(tree: Expression) -> bool:
-    """Whether a side has numbers alone."""
-    return not (has_quantity(tree) or letters(tree) or has_plain_angles(tree))
-
-
-def sign_of(link: Link) -> str:
-    """The sign of a link as it is printed."""
-    return lay.SIGNS.get(link.sign, link.sign)

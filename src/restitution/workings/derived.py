@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
-from itertools import takewhile
 from operator import is_
 from typing import TYPE_CHECKING, Any
 
@@ -34,8 +33,7 @@ from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.opposite_roots import root_but_for_sign
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Expression, Quantity, is_quantity, letters, walk
+from restitution.expression.tree import Expression, Quantity, walk
 from restitution.problem import Problem, Show, Value
 from restitution.records import dataclass
 from restitution.render import layout as lay
@@ -51,6 +49,11 @@ from restitution.workings.leads.sides import Sides
 from restitution.workings.leads.staying import Staying
 from restitution.workings.leads.titles import TITLED
 from restitution.workings.leads.touching import Touching
+from restitution.workings.lines_together import (
+    before_their_line,
+    first_under_its_heading,
+    resolved_with,
+)
 from restitution.workings.naming.bold_letters import Used
 from restitution.workings.naming.data_angles import DataAngles
 from restitution.workings.naming.ends import Ends
@@ -218,12 +221,12 @@ class _Writer:
                 continue
             if not waiting and self._is_silent(shown, index):
                 continue
-            yield from self._entered(_first_under_its_heading(shown, index))
+            yield from self._entered(first_under_its_heading(shown, index))
             yield from self._ratios(line)
             yield from self._vectors_of_event(line, bool(lets))
-            if not waiting and self.carried.gather(_resolved_with(shown[index:])):
+            if not waiting and self.carried.gather(resolved_with(shown[index:])):
                 self.afresh()
-            if lets and not _before_their_line(lets, shown[index:]):
+            if lets and not before_their_line(lets, shown[index:]):
                 yield from self._letters(lets)
                 lets = []
             if line.shown == "inline":
@@ -606,16 +609,6 @@ def _in_degrees(claim: Relation) -> Relation:
     return claim
 
 
-def _first_under_its_heading(lines: Sequence[Line], index: int) -> Line:
-    """The line whose impact a line stands under: its own, or the next, for ratios put into that."""
-    line = lines[index]
-    ratios = list(takewhile(lambda line: line.move.id == "triangle", lines[index:]))
-    after = lines[index + len(ratios)] if index + len(ratios) < len(lines) else line
-    own = {ratio.number for ratio in ratios}
-    of_an_impact = after.move.id in ("law", "define") and after.move.event is not None
-    return after if of_an_impact and own.intersection(after.premises) else line
-
-
 def _without_its_condition(step: Step, condition: Sentence | None) -> Step:
     """A step without the reason that the sentence below it says as a condition."""
     bound = None if condition is None else dict(condition.slots).get("condition")
@@ -634,41 +627,6 @@ def _spoken(sentence: Sentence) -> tuple[object, ...]:
     """What a sentence says, as a title or with the colon that stands behind one."""
     *words, last = sentence.words
     return (*words, last.removesuffix(":") if isinstance(last, str) else last)
-
-
-def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
-    """A line; with what goes on in one row, or of a component those that are resolved with it."""
-    first, *rest = lines
-    yield first
-    while first.shown == "inline" and rest:
-        first, *rest = rest
-        yield first
-    if first.move.record == "component":
-        for line in rest:
-            if line.move.record != "component" or line.move.event != first.move.event:
-                return
-            yield line
-
-
-def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
-    """Whether components along a line of centres stand above the line that says where it lies.
-
-    Of letters that are used before that it is not so.
-    """
-    nodes = (node for meaning in lets for node in walk(meaning.quantity))
-    axes = {node for node in nodes if is_quantity(node, "line_of_centres")}
-    if len(axes) != 1:
-        return False
-    names = {meaning.letter for meaning in lets}
-    for line in lines:
-        if not isinstance(line.relation, Relation):
-            continue
-        trees = tuple(trees_of(line.relation))
-        if any(names & letters(tree) for tree in trees):
-            return False
-        if line.relation.options[0][0].left in axes:
-            return True
-    return False
 
 
 def _of_a_percentage(sentence: Sentence) -> Sentence:

@@ -29,7 +29,8 @@ from restitution.expression.tree import (
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
-from restitution.workings.chains import WORDS, Chains, is_value, sign_of
+from restitution.workings.chain_sides import is_value, sign_of
+from restitution.workings.chains import WORDS, Chains
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.figures import degrees_of

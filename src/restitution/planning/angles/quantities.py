@@ -17,10 +17,10 @@ from restitution.planning.formulas.definitions import Formula, formula_of_line
 from restitution.planning.formulas.energy_formulas import (
     energy_formula,
     energy_lost_formula,
-    momentum_formula,
     total_energy_lost_formula,
 )
 from restitution.planning.formulas.impulse_formulas import impulse_formula
+from restitution.planning.formulas.momentum_formulas import momentum_formula
 from restitution.planning.formulas.velocity_formulas import (
     component_formula,
     speed_formula,

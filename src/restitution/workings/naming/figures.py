@@ -25,10 +25,8 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
-    Letter,
     Negate,
     Number,
-    Quantity,
     Rounded,
     RoundedDegrees,
     Unit,
@@ -43,6 +41,11 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.forms import product, swept, tree_of
 from restitution.workings.naming.measured import is_measure_of_angle, rounded, scalar_worth, worth
+from restitution.workings.naming.roots_of_roots import (
+    is_nested_root,
+    is_of_nested_roots,
+    is_to_be_worked_out,
+)
 
 # Of a value on the way, so that three are right in the end.
 FIGURES_BETWEEN = 4
@@ -108,9 +111,9 @@ def _is_of_long_roots(relation: Relation) -> bool:
         for link in option:
             tangent = is_function(link.left, "tan")
             nodes = walk(link.right)
-            if any(_is_nested_root(node) and not _is_to_be_worked_out(node) for node in nodes):
+            if any(is_nested_root(node) and not is_to_be_worked_out(node) for node in nodes):
                 return True
-            if tangent and any(_is_of_nested_roots(node, True) for node in nodes):
+            if tangent and any(is_of_nested_roots(node, True) for node in nodes):
                 return True
     return False
 
@@ -133,60 +136,6 @@ def plain_angles(tree: Expression) -> set[Fraction]:
         for ratio in _ratios_of_numbers(tree)
         if isinstance(ratio.argument, Degrees) and ratio.argument.value % EXACT_ANGLE
     }
-
-
-def _is_of_nested_roots(tree: Expression, every: bool) -> bool:
-    """Whether a value as it comes out is a sum with roots of sums of roots, or the root of one.
-
-    A sum of products of such values is still to be worked out. ``every`` sum of different roots
-    counts, where there is a calculator.
-    """
-    match tree:
-        case Binary("*", Number(), Binary("/")):
-            return False
-        case Binary("/", above, Number()) | Binary("*", Number(), above) | Negate(above):
-            return _is_of_nested_roots(above, every)
-        case Binary("+" | "-"):
-            rooted = has_root(tree) if every else any(map(_is_nested_root, walk(tree)))
-            return rooted and _is_sum_of_roots(tree)
-        case Apply("sqrt", inside):
-            return _is_of_nested_roots(inside, every)
-    return False
-
-
-def _is_sum_of_roots(tree: Expression) -> bool:
-    match tree:
-        case Binary("+" | "-", left, right):
-            return _is_sum_of_roots(left) and _is_sum_of_roots(right)
-    return _is_term(tree)
-
-
-def _is_term(tree: Expression) -> bool:
-    """Whether a number is a product of roots and rational numbers."""
-    match tree:
-        case Number():
-            return True
-        case Apply("sqrt", inside):
-            return not any(map(_is_open, walk(inside)))
-        case Negate(inside):
-            return _is_term(inside)
-        case Binary("*" | "/", left, right):
-            return _is_term(left) and _is_term(right)
-    return False
-
-
-def _is_open(tree: Expression) -> bool:
-    """Whether a node is a letter or a quantity, or a power that is still to be worked out."""
-    return is_binary(tree, "^") or isinstance(tree, Letter | Quantity)
-
-
-def _is_to_be_worked_out(tree: Expression) -> bool:
-    """Whether a value has letters, or powers that are still to be worked out: √((√3)² + 1)."""
-    return any(map(_is_open, walk(tree)))
-
-
-def _is_nested_root(tree: Expression) -> bool:
-    return is_function(tree, "sqrt") and has_root(tree.argument)
 
 
 def _ratios_of_numbers(tree: Expression) -> list[Apply]:
@@ -240,7 +189,7 @@ class Figures:
         It is one with roots of sums of roots, or the root of one; with a calculator every sum of
         different roots. A sum of products of such values is still to be worked out.
         """
-        return _is_of_nested_roots(tree, self.with_calculator)
+        return is_of_nested_roots(tree, self.with_calculator)
 
     def has_sums_of_roots(self, tree: Expression) -> bool:
         """Whether a value in it is a sum of roots that is carried in figures."""

@@ -1,0 +1,55 @@
+"""The sides of a chain while its row is laid out, and what is asked of one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from restitution.explaining.lines.derivation import Line, Link
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.render import layout as lay
+from restitution.workings.naming.figures import has_plain_angles
+from restitution.workings.naming.sources import is_displacement, is_time
+
+
+@dataclass
+class Draft:
+    """A chain while its row is laid out: the sides as trees and as layouts, with their signs."""
+
+    line: Line
+    links: tuple[Link, ...]
+    trees: list[Expression]
+    in_figures: frozenset[int]
+    sides: list[lay.Layout]
+    signs: list[str]
+    #: Exact values behind figures, by the numbers of their sides: none stands in the end.
+    idle: dict[int, lay.Layout]
+    #: Sides with figures put in, which are still to be worked out.
+    worked: list[lay.Layout]
+    #: Sides in which angles of the one before are joined by a formula, with a calculator.
+    joined: list[lay.Layout]
+
+
+def is_value(tree: Expression) -> bool:
+    """Whether a side names one quantity, whose dimension is known."""
+    return isinstance(tree, Letter | Quantity) or is_time(tree) or is_displacement(tree)
+
+
+def is_multiple(side: lay.Layout) -> bool:
+    """Whether a side is a number, or one before letters and their powers."""
+    if isinstance(side, lay.Sum) and len(side.terms) == 1:
+        side = side.terms[0][1]  # a negative one
+    factors = side.factors if isinstance(side, lay.Product) else (side,)
+    open_ = lay.Sum | lay.Fraction | lay.Brackets | lay.Number | lay.Function | lay.Product
+    return isinstance(factors[0], lay.Number) and not any(
+        isinstance(factor, open_) for factor in factors[1:]
+    )
+
+
+def is_made_of_figures(tree: Expression) -> bool:
+    """Whether a side has numbers alone."""
+    return not (has_quantity(tree) or letters(tree) or has_plain_angles(tree))
+
+
+def sign_of(link: Link) -> str:
+    """The sign of a link as it is printed."""
+    return lay.SIGNS.get(link.sign, link.sign)

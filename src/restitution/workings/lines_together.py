@@ -1,0 +1,55 @@
+"""Which lines stand together: under a heading, in a sentence, above a line of centres."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
+
+from restitution.explaining.lines.derivation import Line, Meaning, Relation
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import is_quantity, letters, walk
+
+
+def first_under_its_heading(lines: Sequence[Line], index: int) -> Line:
+    """The line whose impact a line stands under: its own, or the next, for ratios put into that."""
+    line = lines[index]
+    ratios = list(takewhile(lambda line: line.move.id == "triangle", lines[index:]))
+    after = lines[index + len(ratios)] if index + len(ratios) < len(lines) else line
+    own = {ratio.number for ratio in ratios}
+    of_an_impact = after.move.id in ("law", "define") and after.move.event is not None
+    return after if of_an_impact and own.intersection(after.premises) else line
+
+
+def resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
+    """A line; with what goes on in one row, or of a component those that are resolved with it."""
+    first, *rest = lines
+    yield first
+    while first.shown == "inline" and rest:
+        first, *rest = rest
+        yield first
+    if first.move.record == "component":
+        for line in rest:
+            if line.move.record != "component" or line.move.event != first.move.event:
+                return
+            yield line
+
+
+def before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
+    """Whether components along a line of centres stand above the line that says where it lies.
+
+    Of letters that are used before that it is not so.
+    """
+    nodes = (node for meaning in lets for node in walk(meaning.quantity))
+    axes = {node for node in nodes if is_quantity(node, "line_of_centres")}
+    if len(axes) != 1:
+        return False
+    names = {meaning.letter for meaning in lets}
+    for line in lines:
+        if not isinstance(line.relation, Relation):
+            continue
+        trees = tuple(trees_of(line.relation))
+        if any(names & letters(tree) for tree in trees):
+            return False
+        if line.relation.options[0][0].left in axes:
+            return True
+    return False
