@@ -542,17 +542,24 @@ def _facts_used(work: Work, line: Line) -> Iterator[Fact]:
 
 
 def _is_copied(work: Work, line: Line) -> bool:
-    """Whether a line only says which value is given of a quantity."""
+    """Whether a line only says which value is given of a quantity, or of a ratio of an angle."""
     sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
     return (
         line.move.id == "fact"
         and sides is not None
         and not any(isinstance(other.relation, Relation) for other in work.cited(line))
         and line.number not in work.ends
-        and isinstance(sides[0], Letter | Quantity)
+        and _is_named(sides[0])
         and not has_quantity(sides[1])
         and not letters(sides[1]) & work.new
     )
+
+
+def _is_named(tree: Expression) -> bool:
+    """Whether a side is a letter or a quantity, or a ratio of an angle that has a letter."""
+    if is_function(tree, "sin", "cos", "tan"):
+        tree = tree.argument
+    return isinstance(tree, Letter | Quantity)
 
 
 def _another_assembled(work: Work, line: Line) -> bool:
