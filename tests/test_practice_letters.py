@@ -629,3 +629,16 @@ def test_the_angle_at_a_wall_is_to_that_wall() -> None:
     for typed, verdict in (("47.2", "true"), ("22.8", "false")):
         (judged,) = r.mark(solution, f"at BC the angle is {typed}°", part="b").lines
         assert judged.verdict == verdict
+
+
+def test_a_letter_that_is_declared_along_i_has_that_sense() -> None:
+    """In words as by its quantity: v is not turned round to make a wrong line true."""
+    problem = r.parse(
+        "sphere A: mass 1, velocity 4i + 3j\nsphere B: mass 3, at rest\nA hits B: along i\n"
+        "given energy_lost = 9/2\nfind e"
+    )
+    working = "4 = 3w - v\nw - v = 4e"
+    for body in ("component of {} along i after", "along(velocity({}), i)"):
+        declared = {"v": body.format("A"), "w": body.format("B")}
+        marking = r.mark(problem, working, letters=declared).json()
+        assert [line["verdict"] for line in marking["lines"]] == ["false", "true"], body

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from restitution.errors import StatementError
 from restitution.expression.limits import MAX_LINE_LENGTH
@@ -13,7 +13,9 @@ from restitution.expression.tree import (
     GREEK,
     Expression,
     Name,
+    Negate,
     Quantity,
+    Unit,
     has_quantity,
     letters,
     walk,
@@ -132,7 +134,7 @@ def meaning_from_text(
     known = names_quantity(words_of(text), problem)
     meanings = read_phrase(text, problem) if known else ()
     if meanings:
-        return meanings
+        return _in_one_sense(meanings)
     if fault is not None and not re.search(r"[A-Za-z]{3}", text):
         raise fault
     rule = (
@@ -140,6 +142,24 @@ def meaning_from_text(
         "example, component of A along i after, speed of A after, angle of A to the wall after"
     )
     raise StatementError(rule, number)
+
+
+def _in_one_sense(meanings: Sequence[Expression]) -> tuple[Expression, ...]:
+    """Meanings without the opposites of those above them: along i or j there is one sense."""
+    kept: list[Expression] = []
+    for meaning in meanings:
+        inside = meaning.operand if isinstance(meaning, Negate) else meaning
+        opposite = inside if isinstance(meaning, Negate) else Negate(meaning)
+        if not (_is_along_a_unit(inside) and opposite in kept):
+            kept.append(meaning)
+    return tuple(kept)
+
+
+def _is_along_a_unit(tree: Expression) -> bool:
+    match tree:
+        case Quantity("along", (_, Unit() | Negate(Unit()))):
+            return True
+    return False
 
 
 def _expression(text: str, problem: Problem, number: int | None) -> Expression:
