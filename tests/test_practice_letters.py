@@ -642,3 +642,18 @@ def test_a_letter_that_is_declared_along_i_has_that_sense() -> None:
         declared = {"v": body.format("A"), "w": body.format("B")}
         marking = r.mark(problem, working, letters=declared).json()
         assert [line["verdict"] for line in marking["lines"]] == ["false", "true"], body
+
+
+@pytest.mark.parametrize(
+    "line", ["relative to it A 2.4, B -1.6", "velocity of A relative to centre of mass = 2.4"]
+)
+def test_a_velocity_relative_to_the_mass_centre_is_known(line: str) -> None:
+    problem = r.parse(
+        "sphere A: mass 2, velocity 6i + j\nsphere B: mass 3, velocity 2i - 2j\n"
+        "A hits B: along i, e = 1/4\nfind velocity(A), velocity(B)"
+    )
+    working = f"velocity of centre of mass along i = 18/5 = 3.6\n{line}"
+    verdicts = [own["verdict"] for own in r.mark(problem, working).json()["lines"]]
+    assert verdicts == ["true", "true"]
+    wrong = r.mark(problem, working.replace("2.4", "2.5")).json()["lines"]
+    assert wrong[-1]["verdict"] != "true"

@@ -165,7 +165,9 @@ class _Reader(Journeys):
         """What the phrase may mean, the most natural first; the same quantity may come twice."""
         heads = self.features.heads
         for event in self.numbers():
-            if self.features.mass_centre:
+            if self.features.mass_centre and "relative" in heads:
+                yield from self.beside_the_mass_centre(event)
+            elif self.features.mass_centre:
                 yield from self.mass_centre(event)
             elif "gradient" in heads:
                 yield from self.gradient(event)
@@ -379,16 +381,38 @@ class _Reader(Journeys):
             yield Binary("-", velocities[1], velocities[0])
         if len(velocities) > 1:
             yield Apply("abs", difference)
+        if "relative" in heads:
+            yield from self.beside_the_mass_centre(event)
 
-    def mass_centre(self, event: int) -> Iterator[Expression]:
-        """The velocity of the mass centre along the line of centres, and as a vector."""
+    def beside_the_mass_centre(self, event: int) -> Iterator[Expression]:
+        """The velocity of one sphere that is named, relative to the mass centre: *to it A 2.4*."""
+        named = [name for name in self.features.names if name in self.spheres]
+        if len(named) != 1:
+            return
+        for stage in (event - 1, self.after(event)):
+            for velocity in self.of_the_mass_centre(stage):
+                own = Binary("-", Quantity("velocity", (Name(named[0]),), stage), velocity)
+                for axis in (self.features.axis or self.line(event), Unit("i"), Unit("j")):
+                    yield Quantity("along", (own, axis))
+                    yield Negate(Quantity("along", (own, axis)))
+
+    def of_the_mass_centre(self, stage: Stage) -> Iterator[Expression]:
+        """The velocity of the mass centre as a vector; none of one sphere alone."""
         masses = [Quantity("mass", (Name(sphere),)) for sphere in self.spheres]
         if len(masses) < 2:
             return
         whole: Expression = masses[0]
         for mass in masses[1:]:
             whole = Binary("+", whole, mass)
-        velocity = Binary("/", Quantity("momentum", (), self.stage(event)), whole)
+        yield Binary("/", Quantity("momentum", (), stage), whole)
+
+    def mass_centre(self, event: int) -> Iterator[Expression]:
+        """The velocity of the mass centre along the line of centres, and as a vector."""
+        for velocity in self.of_the_mass_centre(self.stage(event)):
+            yield from self._along_axes(velocity, event)
+
+    def _along_axes(self, velocity: Expression, event: int) -> Iterator[Expression]:
+        """The components of a velocity, in either sense, and itself."""
         for axis in (self.features.axis or self.line(event), Unit("i"), Unit("j")):
             yield Quantity("along", (velocity, axis))
             yield Negate(Quantity("along", (velocity, axis)))
