@@ -309,13 +309,13 @@ class Figures:
             # Figures that lead to others in the end would make the line false.
             if not _differ(tree, put):
                 return put
-            if not nested and not has_unit_vector(tree):
+            if not nested and not self.with_calculator:
                 return tree
         return tree
 
     def _more_figures(self, tree: Expression, figures: int) -> dict[Expression, Expression]:
-        """The values of a vector that are on paper, with more figures than they have there."""
-        if figures == FIGURES_BETWEEN or not has_unit_vector(tree):
+        """The values in a tree that are on paper, with more figures than they have there."""
+        if figures == FIGURES_BETWEEN or not self.with_calculator:
             return {}
         numbers = {
             node: figures_of(node, figures)
