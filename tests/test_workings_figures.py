@@ -467,3 +467,12 @@ def test_an_impulse_by_a_direction_in_degrees_is_the_subject_of_its_equation() -
     assert "J ≈ 2.76" in text
     assert "speed of P ≈ √(2.038² + 3.530²) ≈ 4.08 m s⁻¹" in text
     assert "not written out" not in text
+
+
+def test_products_of_cosines_that_sympy_cannot_join_are_no_error() -> None:
+    """Of cos 24° cos 35° and the like SymPy asks for keys that it has taken out."""
+    text = checked(
+        "sphere A: mass 2, velocity 6 at 24°\nsphere B: mass 5, velocity 3 at 180° - 35°\n"
+        "A hits B: along i\ngiven speed(A) = 4\nfind e"
+    )
+    assert "e ≈ 0.5255 or e ≈ −0.5923" in text

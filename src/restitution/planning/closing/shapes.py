@@ -536,9 +536,15 @@ def _without_the_sum_of_squares(scene: Scene, number: int, symbol: sp.Symbol) ->
     sides: list[Expression] = []
     for side in (link.left, link.right):
         value = sp.sympify(scene_value(scene, side), strict=True)
+        if not value.has(s, c):
+            sides.append(side)
+            continue
         if not value.is_polynomial(s, c) or symbol in inside_functions(value.subs({s: 1, c: 1})):
             return None
-        whole, rest = sp.div(sp.Poly(value, s, c), sp.Poly(s**2 + c**2, s, c))
+        poly = sp.Poly(value, s, c)
+        if poly.domain.is_EX:
+            return None  # ratios of degrees among the coefficients
+        whole, rest = sp.div(poly, sp.Poly(s**2 + c**2, s, c))
         # A number beside both squares is no factor that stands there already.
         out = rest.is_zero and not whole.is_zero and whole.total_degree() > 0
         sides.append(tree_of(tidy(whole.as_expr())) if out else side)

@@ -131,9 +131,12 @@ def _holds(condition: Any, values: Mapping[str, Enclosed]) -> bool:
 @lru_cache(maxsize=8192)
 def plain_sign(x: sp.Expr) -> int | None:
     """The sign that is plain from what is assumed of the letters; None where it is not."""
-    if x.is_positive or x.is_negative:
-        return 1 if x.is_positive else -1
-    return 0 if x.is_zero else None
+    try:
+        if x.is_positive or x.is_negative:
+            return 1 if x.is_positive else -1
+        return 0 if x.is_zero else None
+    except KeyError:
+        return None  # SymPy fails to join products of cosines such as cos 24° cos 48°
 
 
 def number_of(value: Any) -> Enclosed:
