@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 
 from laws_of_workings import answers as wrong_answers
@@ -14,6 +15,8 @@ from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import Solution, solve
 from restitution.solving.story.letters import roles
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
 
 
 @cache
@@ -31,3 +34,16 @@ def planned(statement: str) -> tuple[Problem, Derivation]:
     assert follow(derivation, Oracle(roles(problem))) == ()
     assert wrong_answers(solution, derivation) == []
     return problem, derivation
+
+
+def printed_with(statement: str, parts: Iterable[str]) -> str:
+    """A working as it is printed, in one row; these parts of it stand there in their order."""
+    problem, derivation = planned(statement)
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    place = -1
+    for part in parts:
+        start = text.find(part, place + 1)
+        assert start > place, (part, text)
+        place = start
+    assert "not written out" not in text
+    return text

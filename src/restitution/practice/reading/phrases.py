@@ -392,9 +392,7 @@ class _Reader(Journeys):
         for stage in (event - 1, self.after(event)):
             for velocity in self.of_the_mass_centre(stage):
                 own = Binary("-", Quantity("velocity", (Name(named[0]),), stage), velocity)
-                for axis in (self.features.axis or self.line(event), Unit("i"), Unit("j")):
-                    yield Quantity("along", (own, axis))
-                    yield Negate(Quantity("along", (own, axis)))
+                yield from self._along_axes(own, event)
 
     def of_the_mass_centre(self, stage: Stage) -> Iterator[Expression]:
         """The velocity of the mass centre as a vector; none of one sphere alone."""
@@ -410,14 +408,14 @@ class _Reader(Journeys):
         """The velocity of the mass centre along the line of centres, and as a vector."""
         for velocity in self.of_the_mass_centre(self.stage(event)):
             yield from self._along_axes(velocity, event)
+            yield velocity
+            yield Apply("abs", velocity)
 
     def _along_axes(self, velocity: Expression, event: int) -> Iterator[Expression]:
-        """The components of a velocity, in either sense, and itself."""
+        """The components of a velocity along the line of centres and the axes, in either sense."""
         for axis in (self.features.axis or self.line(event), Unit("i"), Unit("j")):
             yield Quantity("along", (velocity, axis))
             yield Negate(Quantity("along", (velocity, axis)))
-        yield velocity
-        yield Apply("abs", velocity)
 
     def relative_size(self, event: int) -> Iterator[Expression]:
         """The size of the relative velocity of two spheres."""

@@ -11,12 +11,12 @@ from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import is_share_of_energy, trees_of
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Expression,
     Letter,
     Quantity,
     is_component,
+    is_function,
     is_zero,
     letters,
     walk,
@@ -123,7 +123,12 @@ class Carried:
         if values:
             self._ratios = self._ratios if self._waiting else set()
             trees = (tree for line in lines for tree in trees_of(line.relation))
-            self._ratios |= {node for tree in trees for node in walk(tree) if _is_ratio(node)}
+            self._ratios |= {
+                node
+                for tree in trees
+                for node in walk(tree)
+                if is_function(node, "sin", "cos", "tan")
+            }
         self._waiting |= values
         return bool(values)
 
@@ -252,11 +257,6 @@ def _is_a_value(line: Line) -> bool:
         and line.shown != "silent"
         and line.move.id not in ("triangle", "fact")
     )
-
-
-def _is_ratio(tree: Expression) -> bool:
-    """Whether a tree is a sine, a cosine or a tangent."""
-    return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
 
 
 def _has_ratios(line: Line) -> bool:
