@@ -176,6 +176,43 @@ show deflection(B) = arctan 3
         ("stays 5 m s⁻¹.",),
         ("𝐯_B · 𝐭 = (4",),
     ),
+    "a deflection in degrees leaves the angle to a wall afterwards, of a velocity by components": (
+        """
+wall W: along 3i + 4j
+sphere P: velocity 5i
+P hits W
+given deflection(P) = 75°
+find e
+""",
+        ("β ≈ 53.13°", "θ ≈ 75° − 53.13° ≈ 21.87°", "4e/3 ≈ tan 21.87° ≈ 0.4014", "e ≈ 0.301"),
+        ("tan 75°", "formula"),
+    ),
+    "in letters the angle to a wall afterwards has the tangent of a difference": (
+        """
+wall V: along j
+sphere S: velocity 2a i + 3a j
+S hits V
+given deflection(S) = 60°
+find e
+""",
+        (
+            "θ = 60° − β",
+            "tan θ = (tan 60° − tan β)/(1 + tan 60° tan β)",
+            "tan θ = (√3 − ⅔)/(1 + ⅔√3)",
+        ),
+        ("tan 60° = (", "2a × 2ea"),
+    ),
+    "a deflection that is a letter is the sum of the angles to a wall": (
+        """
+wall W: along i
+sphere P: velocity 7i - 5j
+P hits W: e = 1/2
+given deflection(P) = d
+find d
+""",
+        ("β + θ = d", "tan d = (5/7 + 5/14)/(1 − (5/7) × (5/14)) = 105/73"),
+        ("7 × (5/2)",),
+    ),
     "the greatest tangent of a difference of two letters": (
         """
 wall W: along i

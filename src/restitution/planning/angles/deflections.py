@@ -22,6 +22,10 @@ from restitution.expression.tree import (
     is_zero,
     letters,
 )
+from restitution.planning.angles.angles_after_walls import (
+    given_by_the_angle_after,
+    given_by_the_sum,
+)
 from restitution.planning.angles.given_turns import given_turn
 from restitution.planning.angles.wall_turns import given_at_a_wall, related_at_a_wall
 from restitution.planning.formulas.angle_formulas import cosine
@@ -64,6 +68,9 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
     if frame.wall is not None:
         line = given_at_a_wall(scene, equation, name.name, frame, angle)
         line = line or related_at_a_wall(scene, equation)
+        worth = Source(angle, together(equation.refs, refs))
+        line = line or given_by_the_angle_after(scene, equation, name, frame, worth)
+        line = line or given_by_the_sum(scene, equation, name, frame, worth)
     else:
         line = given_turn(scene, equation)
     if line is not None:

@@ -82,31 +82,36 @@ def sum_at_a_wall(
     """
     (name,) = asked.arguments
     assert isinstance(name, Name)
-    if frame.wall is None:
+    both = terms_at_a_wall(scene, name, frame)
+    if both is None:
         return None
-    move = Move("define", "sum", frame.number, (name.name,))
-    angle = angle_of_approach(scene, name.name, frame)
-    refs: tuple[Ref, ...]
-    if angle is not None:
-        before, refs = term_of_data(scene, angle), data_of_approach(scene, name.name, frame)
-    else:
-        named = _named(scene, name, frame, frame.number - 1)
-        if named is None:
-            return None
-        before, refs = named
-    late = _named(scene, name, frame, frame.number)
-    if late is None:
-        return None
-    after, more = late
+    (before, refs), (after, more) = both
     turned, meaning = letter_of(scene, asked)
     relation = chain(Letter(turned), (Binary("+", before.angle, after.angle), None))
+    move = Move("define", "sum", frame.number, (name.name,))
     number = scene.judge.write((move,), together(refs, more, (meaning,)), relation)
     return None if number is None else (number, (before, after))
 
 
-def _named(
-    scene: Scene, name: Name, frame: Frame, stage: int
-) -> tuple[Term, tuple[Ref, ...]] | None:
+Named = tuple[Term, tuple[Ref, ...]]
+"""An angle to a wall with its tangent, and what says which angle it is."""
+
+
+def terms_at_a_wall(scene: Scene, name: Name, frame: Frame) -> tuple[Named, Named] | None:
+    """The angles to a wall before and after, with their tangents; None where one has none."""
+    if frame.wall is None:
+        return None
+    angle = angle_of_approach(scene, name.name, frame)
+    early: Named | None
+    if angle is not None:
+        early = term_of_data(scene, angle), data_of_approach(scene, name.name, frame)
+    else:
+        early = named_at_a_wall(scene, name, frame, frame.number - 1)
+    late = None if early is None else named_at_a_wall(scene, name, frame, frame.number)
+    return None if early is None or late is None else (early, late)
+
+
+def named_at_a_wall(scene: Scene, name: Name, frame: Frame, stage: int) -> Named | None:
     """The angle of a path to a wall by its letter, with its tangent, and what that letter is."""
     assert frame.wall is not None
     velocity = Quantity("velocity", (name,), scene.last_event(name.name, stage))

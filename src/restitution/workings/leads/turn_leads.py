@@ -179,7 +179,7 @@ class TurnLeads(LinesAround):
         if ratios != {"tan"}:
             return _of_differences(base, name)
         sides: tuple[Expression, ...]
-        if isinstance(link.left, Apply) and isinstance(link.left.argument, Binary):
+        if isinstance(link.left, Apply) and is_binary(link.left.argument, "+", "-"):
             sides = (link.left,)
         elif isinstance(base.relation, Relation):
             whole = base.relation.options[0][0]
@@ -188,7 +188,7 @@ class TurnLeads(LinesAround):
             sides = (base.relation.quantity,)
         for side in sides:
             side = side.argument if isinstance(side, Apply) else side
-            form = _form_of(side) if isinstance(side, Binary) else ""
+            form = _form_of(side) if is_binary(side, "+", "-") else ""
             if form in _TANGENTS:
                 return _TANGENTS[form]
         return name

@@ -52,7 +52,7 @@ FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 FIGURES_OF_ANSWERS = 3
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
-_RATIOS = frozenset({"sin", "cos", "tan"})
+_RATIOS = frozenset({"sin", "cos", "tan", "cot"})
 _INVERSES = frozenset({"arcsin", "arccos", "arctan"})
 # Degrees: of multiples of these a reader knows the ratios.
 _LEAST_STANDARD, _HALF_OF_A_RIGHT_ANGLE = 30, 45
@@ -472,10 +472,12 @@ def angles_in_figures(tree: Expression) -> Expression:
 
 
 def _by_degrees(tree: Expression) -> Expression:
-    """A multiple of a ratio of a sum of angles with its figures: 4.983 sin 52.24°."""
+    """A ratio of a sum of angles, or a multiple of one, with its figures: 4.983 sin 52.24°."""
     match tree:
         case Negate(operand):
             return Negate(_by_degrees(operand))
+        case Apply(name, angle) if name in _RATIOS and is_sum_with_inverse(angle):
+            return Apply(name, degrees_of(angle) or angle)
         case Binary("*", size, Apply(name, angle)) if name in _RATIOS and is_sum_with_inverse(
             angle
         ):
