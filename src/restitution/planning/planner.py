@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles.angles_at_walls import write_angles_at_walls
+from restitution.planning.angles.data_angles import with_angles_given
 from restitution.planning.axes.by_changes import frame_at, write_axis
 from restitution.planning.axes.offsets import given_by_offsets, open_angles, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
@@ -548,7 +549,7 @@ def _write_item(
                 scene, solver, item, partial(write_show, scene, solver, item, result, now, name)
             )
         case Range():
-            asked = staged(problem, item.expression, now)
+            asked = with_angles_given(scene, staged(problem, item.expression, now))
             if item.percentage:
                 raise NotPlannedError("a percentage")
             relation = relation_of(asked, result)
@@ -557,7 +558,7 @@ def _write_item(
         case Extremum():
             from restitution.planning.inequalities.extrema import only_answer, write_extremum
 
-            asked = staged(problem, item.expression, now)
+            asked = with_angles_given(scene, staged(problem, item.expression, now))
             over = item.over
 
             def write(answer: Answer) -> None:
@@ -568,7 +569,7 @@ def _write_item(
             else:
                 write(only_answer(result))
         case Value():
-            asked = staged(problem, item.expression, now)
+            asked = with_angles_given(scene, staged(problem, item.expression, now))
             if not write_with_facts(scene, solver, name):
                 write_item(scene, solver, asked, name)
             if scene.kept:

@@ -10,6 +10,7 @@ from itertools import permutations
 
 import sympy as sp
 
+from restitution.explaining.data.paths_and_lines import angle_between, degrees_of
 from restitution.explaining.definitions.common import axis_of
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.lines.derivation import Event, Link
@@ -266,6 +267,63 @@ def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
                 continue
             turn = Binary("-", late, early) if after > before else Binary("-", early, late)
             yield Link(Quantity("deflection", (body,), event.number), "=", turn)
+
+
+def is_given_angle(step: Step, line: Link) -> bool:
+    """Whether a line says an angle of a velocity of the data to a line as these give it."""
+    own = (line.left, line.right)
+    return line.sign == "=" and any((x.left, x.right) == own for x in _to_given_lines(step))
+
+
+def _to_given_lines(step: Step) -> Iterator[Link]:
+    """The angle of a velocity of the data to a wall, a line of centres, **i** or **j**.
+
+    It is the one by which the velocity is given, or the difference of two in degrees.
+    """
+    for link in step.links:
+        match link:
+            case Link(Quantity("velocity", (Name(),), 0) as velocity, "=", Polar() as right):
+                pass
+            case _:
+                continue
+        size = unsigned(right.angle)
+        acute = isinstance(size, Letter) and _is_acute(step, size)
+        within = acute or (isinstance(size, Degrees) and 0 <= size.value <= 90)
+        if any(step.setting.role(x).kind != "positive" for x in letters(right.size)):
+            continue
+        if right.wall is not None:
+            if within and size == right.angle:
+                yield Link(Quantity("angle", (velocity, right.wall)), "=", size)
+            continue
+        origin = Unit("i") if right.origin is None else right.origin
+        if isinstance(unsigned(origin), Unit) and (
+            acute or (isinstance(size, Degrees) and 0 <= size.value <= 180)
+        ):
+            yield Link(Quantity("angle", (velocity, origin)), "=", size)
+        if unsigned(origin) == Unit("i"):
+            yield from _to_cited_lines(step, velocity, right.angle, within)
+
+
+def _to_cited_lines(
+    step: Step, velocity: Quantity, direction: Expression, within: bool
+) -> Iterator[Link]:
+    """The angles of a velocity to the lines whose directions are cited, by its own from **i**."""
+    walls = [Name(name) for name, kind in step.setting.names.items() if kind == "wall"]
+    axes = [axis_of(event) for event in step.setting.events]
+    lines: list[tuple[Expression, Quantity]] = [(own, own) for own in axes]
+    lines += [(wall, Quantity("direction", (wall,))) for wall in walls]
+    for line, axis in lines:
+        along = step.world.directions.get(axis)
+        if along is None:
+            continue
+        turn: Expression = along
+        if isinstance(unsigned(along), Unit):
+            turn = _NONE if unsigned(along) == Unit("i") else _RIGHT
+        whole = angle_between(direction, turn)
+        if whole is not None:
+            yield Link(Quantity("angle", (velocity, line)), "=", Degrees(degrees_of(whole)))
+        elif within and turn == _NONE:
+            yield Link(Quantity("angle", (velocity, line)), "=", unsigned(direction))
 
 
 def between_given_directions(step: Step) -> Iterator[Link]:

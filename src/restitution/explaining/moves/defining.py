@@ -9,6 +9,7 @@ from fractions import Fraction
 from restitution.explaining.definitions.common import ZERO, axis_of
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.definitions.ties import has_product, past_a_right_angle, tie_of
+from restitution.explaining.definitions.turnings import is_given_angle
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.angles_of_lines import is_angle_of_lines, is_tangent_of_a_line
@@ -56,6 +57,8 @@ def is_definition(step: Step, line: Link) -> bool:
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return is_tie(step, line)
     if step.move.record == "speed" and (_is_read_off(step, line) or _is_component(step, line)):
+        return True
+    if step.move.record == "difference" and is_given_angle(step, line):
         return True
     return is_law(step, line)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -9,7 +10,7 @@ import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
 from restitution.explaining.definitions.turnings import direction_from_i
-from restitution.explaining.lines.derivation import Move, MoveId, numbers_in
+from restitution.explaining.lines.derivation import Move, MoveId, Ref, numbers_in
 from restitution.expression.tree import (
     COMPONENTS,
     RIGHT_ANGLE,
@@ -24,6 +25,7 @@ from restitution.expression.tree import (
     unsigned,
 )
 from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.walls_at_right_angles import by_a_given_ratio
 from restitution.planning.closing.cotangents import write_by_cotangent
 from restitution.planning.closing.ratios import inverse
 from restitution.planning.formulas.definitions import Formula
@@ -184,10 +186,20 @@ def direction_of_data(scene: Scene, asked: Quantity) -> int | None:
     move, relation = Move("define", "difference", None, (body,)), chain(asked, (angle, None))
     if not scene.judge.follows(move, (fact.id,), relation):
         return None
-    known = scene.desk.known(angle) or _by_its_ratio(scene, angle)
+    return by_a_given_ratio(scene, asked, write_read_off(scene, asked, angle, move, (fact.id,)))
+
+
+def write_read_off(
+    scene: Scene, asked: Quantity, angle: Letter | Degrees, move: Move, refs: Sequence[Ref]
+) -> int:
+    """The line that an angle is one of the data, with what a letter for that has come to."""
+    relation = chain(asked, (angle, None))
+    known = None
+    if isinstance(angle, Letter) and angle.name not in scene.ratio_facts:
+        known = scene.desk.known(angle) or _by_its_ratio(scene, angle)
     if known is None:
-        return scene.desk.write(move, (fact.id,), relation)
-    line = scene.desk.write(move, (fact.id,), relation, shown="inline")
+        return scene.desk.write(move, refs, relation)
+    line = scene.desk.write(move, refs, relation, shown="inline")
     right = tree_of(known.value, angle=True, as_it_is=True)
     return scene.desk.write(Move("put"), (line, *known.refs), chain(asked, (right, None)))
 
@@ -198,7 +210,9 @@ def _by_its_ratio(scene: Scene, angle: Letter) -> Source | None:
     for ratio in ("tan", "sin", "cos"):
         known = scene.desk.known(Apply(ratio, angle))
         lines = () if known is None else numbers_in(known.refs)
-        if known is not None and len(lines) == 1 and not known.value.free_symbols:
+        if known is None or len(lines) != 1 or known.value.free_symbols:
+            continue
+        if scene.desk.last_link(lines[0]).left == Apply(ratio, angle):  # and no other ratio of it
             return inverse(scene, lines[0], symbol)
     return None
 

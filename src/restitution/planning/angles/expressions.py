@@ -16,6 +16,7 @@ from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -212,10 +213,12 @@ def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
     # An angle by the letters of others is a number by what these are.
     arcs = [ref for line in lines for ref in scene.desk.line(line).premises if isinstance(ref, int)]
     arcs = [ref for ref in arcs if scene.desk.line(ref).move.id == "inverse"]
-    refs = scene.judge.needed(Move("put"), (*lines, *named, *arcs), relation, lines)
+    # Of one angle of the motion there is nothing to put in.
+    move = Move("put" if len(lines) > 1 else "rearrange")
+    refs = scene.judge.needed(move, (*lines, *named, *arcs), relation, lines)
     if refs is None:
         raise NotPlannedError("a sum of angles of the motion")
-    line = scene.desk.write(Move("put"), refs, relation)
+    line = scene.desk.write(move, refs, relation)
     short = _without_opposites(scene, right)
     if short is not None:
         shorter = chain(asked, (short, None))
@@ -273,13 +276,17 @@ def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
 
 
 def is_angle_sum(tree: Expression) -> bool:
-    """Whether angles of the motion are added, or taken from each other."""
+    """Whether angles of the motion are added, or taken from each other, or from those of data."""
+    return _is_of_angles(tree) and any(is_quantity(node, *ANGLES) for node in walk(tree))
+
+
+def _is_of_angles(tree: Expression) -> bool:
     match tree:
         case Binary("+" | "-", left, right):
-            return is_angle_sum(left) and is_angle_sum(right)
+            return _is_of_angles(left) and _is_of_angles(right)
         case Quantity(kind):
             return kind in ANGLES
-    return False
+    return isinstance(tree, Letter | Degrees)
 
 
 def outermost(tree: Expression) -> list[Expression]:

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.at_sight import angle_at_sight
+from restitution.planning.angles.data_angles import write_as_given
 from restitution.planning.angles.decimal_angles import write_decimal
 from restitution.planning.angles.directions import (
     along_an_axis,
@@ -55,7 +56,7 @@ from restitution.planning.angles.scalar_angles import (
     write_right_angle_of_two,
 )
 from restitution.planning.angles.sums_at_walls import write_sum
-from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
+from restitution.planning.angles.turn_lines import write_turn, write_turn_tangent
 from restitution.planning.angles.turned_directions import turn_of_directions
 from restitution.planning.angles.vectors_between import (
     by_cosine,
@@ -68,10 +69,7 @@ from restitution.planning.angles.vectors_between import (
     vectors_in_numbers,
 )
 from restitution.planning.angles.wall_turns import tangent_at_a_wall
-from restitution.planning.angles.walls_at_right_angles import (
-    by_the_wall_before,
-    complement_to_a_wall,
-)
+from restitution.planning.angles.walls_at_right_angles import angle_by_walls
 from restitution.planning.axes.offsets import turns_from_an_offset
 from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.impacts import in_direction
@@ -82,7 +80,6 @@ from restitution.planning.formulas.named_angles import (
     ratio_line,
     tangent_line,
 )
-from restitution.planning.formulas.next_walls import angle_to_a_wall
 from restitution.planning.formulas.standing_vectors import stand_as_vectors
 from restitution.planning.formulas.turns import turns_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import (
@@ -149,10 +146,9 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         line = direction_of_data(scene, asked) or along_the_centres(scene, asked)
         line = line or direction_from_a_wall(scene, asked, angle_line)
         line = line or along_an_axis(scene, asked)
-    if line is None:
-        line = write_right_angle_of_axes(scene, asked) or angle_at_sight(scene, asked)
-    if line is None:
-        line = angle_along_the_centres(scene, asked) or _by_walls(scene, asked)
+    for at_once in _AT_ONCE:
+        line = line or at_once(scene, asked)
+    line = line or angle_by_walls(scene, asked, angle_line)
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
@@ -164,30 +160,12 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     return line
 
 
-def _by_walls(scene: Scene, asked: Quantity) -> int | None:
-    """The line of an angle to a wall by that to the wall before, or by that before it; or None."""
-    match asked:
-        case Quantity("angle", (Quantity("velocity", (Name(body),), int(stage)), Name(wall))):
-            own = angle_to_a_wall(scene, body, stage, wall)
-            own = own or complement_to_a_wall(scene, body, stage, wall)
-            own = own or by_the_wall_before(scene, body, stage, wall, angle_line)
-            lines = () if own is None else (ref for ref in own.refs if isinstance(ref, int))
-            line = next(iter(lines), None)
-            return None if line is None else _by_a_given_ratio(scene, asked, line)
-    return None
-
-
-def _by_a_given_ratio(scene: Scene, asked: Quantity, line: int) -> int:
-    """The line of an angle that is a letter of the data, with what a ratio says that this is."""
-    own = scene.desk.last_link(line).right
-    if not isinstance(own, Letter) or own.name not in scene.ratio_facts:
-        return line
-    known = inverse_of_data(scene, own.name)
-    relation = chain(asked, (scene.desk.last_link(known).right, None))
-    premises = scene.judge.enough(Move("put"), (line, known), relation)
-    if premises is None:
-        return line
-    return scene.desk.write(Move("put"), premises, relation)
+_AT_ONCE = (
+    write_as_given,
+    write_right_angle_of_axes,
+    angle_at_sight,
+    angle_along_the_centres,
+)
 
 
 def _with_values(scene: Scene, asked: Quantity, known: Source) -> int | None:
@@ -636,7 +614,7 @@ def _are_exact(scene: Scene, body: str, event: int, frame: Frame) -> bool:
     if not after.is_number or not (sp.atan(after) / sp.pi).is_Rational:
         return False
     early = Quantity("angle", (Quantity("velocity", (Name(body),), last), Name(frame.wall)))
-    line = angle_along_the_centres(scene, early) or _by_walls(scene, early)
+    line = angle_along_the_centres(scene, early) or angle_by_walls(scene, early, angle_line)
     if line is None:
         return False
     value = scene.scalar(scene.desk.last_link(line).right)

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
 )
+from restitution.planning.angles.turn_lines import inverse_of_data
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.formulas.next_walls import angle_to_a_wall, standing_angle, turn_of_wall
@@ -95,4 +96,32 @@ def by_the_wall_before(
     return own
 
 
-__all__ = ["by_the_wall_before", "complement_to_a_wall"]
+def angle_by_walls(
+    scene: Scene, asked: Quantity, angle_line: Callable[[Scene, Quantity], int]
+) -> int | None:
+    """The line of an angle to a wall by that to the wall before, or by that before it; or None."""
+    match asked:
+        case Quantity("angle", (Quantity("velocity", (Name(body),), int(stage)), Name(wall))):
+            own = angle_to_a_wall(scene, body, stage, wall)
+            own = own or complement_to_a_wall(scene, body, stage, wall)
+            own = own or by_the_wall_before(scene, body, stage, wall, angle_line)
+            lines = () if own is None else (ref for ref in own.refs if isinstance(ref, int))
+            line = next(iter(lines), None)
+            return None if line is None else by_a_given_ratio(scene, asked, line)
+    return None
+
+
+def by_a_given_ratio(scene: Scene, asked: Quantity, line: int) -> int:
+    """The line of an angle that is a letter of the data, with what a ratio says that this is."""
+    own = scene.desk.last_link(line).right
+    if not isinstance(own, Letter) or own.name not in scene.ratio_facts:
+        return line
+    known = inverse_of_data(scene, own.name)
+    relation = chain(asked, (scene.desk.last_link(known).right, None))
+    premises = scene.judge.enough(Move("put"), (line, known), relation)
+    if premises is None:
+        return line
+    return scene.desk.write(Move("put"), premises, relation)
+
+
+__all__ = ["angle_by_walls", "by_a_given_ratio"]

@@ -9,6 +9,7 @@ from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Re
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
@@ -46,7 +47,17 @@ def is_of_two_angles(tree: Expression) -> bool:
         case Binary("+" | "-", left, right):
             sides = (left, right)
             moving = [e for e in sides if is_quantity(e, "angle")]
-            return bool(moving) and all(isinstance(e, Letter) or e in moving for e in sides)
+            return bool(moving) and all(
+                isinstance(e, Letter | Degrees) or e in moving for e in sides
+            )
+    return False
+
+
+def is_beside_degrees(tree: Expression) -> bool:
+    """Whether an expression is an angle that moves beside one of the data in degrees."""
+    match tree:
+        case Binary("+" | "-", Degrees(), _) | Binary("+" | "-", _, Degrees()):
+            return is_of_two_angles(tree)
     return False
 
 
@@ -86,8 +97,9 @@ def tangent_of_two(
         case _:
             return None
     extent = "-90° < {} < 90°" if sign == "-" else "0° < {} < 180°"
-    if sign == "-" and any(_may_be_obtuse(side) for side in (left, right)):
-        extent = "-90° < {} < 180°" if _may_be_obtuse(left) else "-180° < {} < 90°"
+    if sign == "-":
+        low, high = (180 if _may_be_obtuse(side) else 90 for side in (right, left))
+        extent = f"-{low}° < {{}} < {high}°"
     if (named := _named_in_the_statement(scene, worths, asked)) is not None:
         standing, called, fact = named
         return standing, called, (extent.format(called.name), fact)
@@ -111,6 +123,25 @@ def tangent_of_two(
     form = "sum" if sign == "+" else "difference"
     number = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
     return None if number is None else (number, Letter(name), (extent.format(name), let))
+
+
+def tangent_with_letter(
+    scene: Scene, worths: Worths, asked: Expression
+) -> tuple[int, Expression, tuple[Ref, ...]]:
+    """The line of the tangent of an angle, or of two, by a letter, with the letter and its range.
+
+    Raises NotPlannedError where there is none.
+    """
+    if is_of_two_angles(asked):
+        written = tangent_of_two(scene, worths, asked)
+        if written is None:
+            raise NotPlannedError("a sum or a difference of angles")
+        return written
+    assert isinstance(asked, Quantity)
+    first = worths.angle(asked)
+    tangent = scene.desk.last_link(first).left
+    called = tangent.argument if isinstance(tangent, Apply) else asked
+    return worths.lettered(first, called)
 
 
 def _standing_tangent(scene: Scene, whole: Expression, letter: Letter, let: int) -> int | None:

@@ -15,6 +15,7 @@ from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, S
 from restitution.explaining.moves.limits import worth_at
 from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import Expression, Letter, Quantity, is_quantity, letters
+from restitution.planning.angles.expressions import write_expression
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.inequalities.claims import Claims
@@ -30,16 +31,23 @@ class AngleAtEnds:
     """An angle of the motion as a line has it, between its values at the ends of a letter."""
 
     def __init__(
-        self, claims: Claims, solver: Solver, asked: Quantity, line: int | None = None
+        self, claims: Claims, solver: Solver, asked: Expression, line: int | None = None
     ) -> None:
         self.claims = claims
         self.scene = claims.scene
         self.judge = claims.judge
         self.asked = asked
-        determine(self.scene, solver, asked)
-        self.line = angle_line(self.scene, asked) if line is None else line
+        self.line = self._standing(solver) if line is None else line
         self.right = self.scene.desk.last_link(self.line).right
         self.value = sp.sympify(self.scene.scalar(self.right), strict=True)
+
+    def _standing(self, solver: Solver) -> int:
+        """The line that says the angle, or a sum of such angles and those of the data."""
+        for quantity in self.claims.worths.quantities(self.asked):
+            determine(self.scene, solver, quantity)
+        if isinstance(self.asked, Quantity):
+            return angle_line(self.scene, self.asked)
+        return write_expression(self.scene, self.asked)[0]
 
     def names(self) -> list[str]:
         """The letters of the statement in the angle."""
@@ -66,6 +74,8 @@ class AngleAtEnds:
 
     def _meaning(self) -> list[Ref]:
         """What introduces the letter of the angle, where its line has that."""
+        if not isinstance(self.asked, Quantity):
+            return []
         known = letter_known(self.scene, self.asked)
         left = self.scene.desk.last_link(self.line).left
         return [known[1]] if known is not None and left == Letter(known[0]) else []
@@ -168,7 +178,6 @@ def write_at_ends(claims: Claims, solver: Solver, relation: Relation) -> int:
     if len(angles) != 1:
         raise NotPlannedError("an inequality")
     (asked,) = angles
-    assert isinstance(asked, Quantity)
     own = AngleAtEnds(claims, solver, asked)
     line = own.bounded(relation) or own.bounded_twice(relation)
     if line is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -27,12 +28,13 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.inequalities.angle_pairs import (
     extents,
+    is_beside_degrees,
     is_of_two_angles,
     is_tangent_of_letters,
     letters_under,
     made_of_two,
     tangent_as_asked,
-    tangent_of_two,
+    tangent_with_letter,
 )
 from restitution.planning.inequalities.angles_at_ends import AngleAtEnds, is_angle_of_motion
 from restitution.planning.inequalities.claims import Claims
@@ -160,6 +162,11 @@ class _Extremum:
             return again
         if is_quantity(self.asked, *ANGLES) or is_of_two_angles(self.asked):
             start, end, value = self.claims.worths.mark(), self.end, self.value
+            if is_beside_degrees(self.asked):
+                with suppress(NotPlannedError):
+                    return self._at_an_end()
+                self.claims.worths.back(start)
+                self.end = end
             for form in (self.arctangent, None) if self.arctangent else (None,):
                 try:
                     return self._of_angle(form)
@@ -208,7 +215,7 @@ class _Extremum:
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             return self._of_wide_angle(asked)
         start = self.claims.worths.mark()
-        line, letter, extent = self._tangent(asked)
+        line, letter, extent = tangent_with_letter(self.scene, self.claims.worths, asked)
         line = self._put(line)
         if self._may_be_obtuse(asked, line):
             standing = self.end, self.value
@@ -218,7 +225,7 @@ class _Extremum:
             except NotPlannedError:
                 self.claims.worths.back(start)
                 self.end, self.value = standing
-                line, letter, extent = self._tangent(asked)
+                line, letter, extent = tangent_with_letter(self.scene, self.claims.worths, asked)
                 line = self._put(line)
         if is_of_two_angles(asked) or self.claims.worths.is_of_statement(letter):
             asked, whole = letter, replace(whole, left=letter)
@@ -244,9 +251,8 @@ class _Extremum:
 
     def _at_an_end(self) -> int:
         """An angle that a line gives by inverse tangents, at an end of the letter."""
-        if not is_angle_of_motion(self.asked):
+        if not is_angle_of_motion(self.asked) and not is_of_two_angles(self.asked):
             raise NotPlannedError("the greatest or least angle")
-        assert isinstance(self.asked, Quantity)
         own = AngleAtEnds(self.claims, self.claims.solver, self.asked)
         name = self.symbol.name
         for end, bounds in own.ends_of(name):
@@ -258,19 +264,6 @@ class _Extremum:
                 if last is not None:
                     return last
         raise NotPlannedError("the greatest or least angle")
-
-    def _tangent(self, asked: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
-        """The line of the tangent of an angle by a letter, with the letter and its range."""
-        if is_of_two_angles(asked):
-            written = tangent_of_two(self.scene, self.claims.worths, asked)
-            if written is None:
-                raise NotPlannedError("a sum or a difference of angles")
-            return written
-        assert isinstance(asked, Quantity)
-        first = self.claims.worths.angle(asked)
-        tangent = self.scene.desk.last_link(first).left
-        called = tangent.argument if isinstance(tangent, Apply) else asked
-        return self.claims.worths.lettered(first, called)
 
     def _of_wide_angle(self, asked: Expression) -> int:
         """An angle that is not bounded by an acute one, by those of which it is made."""

@@ -10,7 +10,14 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equality
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+    equality,
+)
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
@@ -223,7 +230,7 @@ def value_compared(derivation: Derivation, naming: Naming, line: Line) -> Senten
     for answer in derivation.lines:
         if answer.move.id != "answer" or answer.move.record not in ("greatest", "least"):
             continue
-        if line.relation not in _above(derivation, answer):
+        if line.relation not in _above(derivation, answer) or _is_asked(answer, line):
             continue
         behind = derivation.lines_in(answer.premises)
         places = [
@@ -236,6 +243,14 @@ def value_compared(derivation: Derivation, naming: Naming, line: Line) -> Senten
             there = naming.relation(equality(own, value))
             return say("extremum.value", places=tuple(places), value=there)
     return None
+
+
+def _is_asked(answer: Line, line: Line) -> bool:
+    """Whether the difference in a line is itself what an answer bounds."""
+    own, bound = line.relation, answer.relation
+    if isinstance(own, Meaning) or isinstance(bound, Meaning):
+        return False
+    return own.options[0][0].left in (bound.options[0][0].left, bound.options[0][-1].right)
 
 
 def _bound_above(derivation: Derivation, line: Line) -> Relation | None:

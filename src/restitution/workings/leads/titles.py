@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    children,
     is_binary,
     is_quantity,
     is_zero,
@@ -318,7 +319,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         first, last = line.relation.options[0][0], line.relation.options[0][-1]
         record = line.move.record
         if record == "difference" and event is None:
-            of_the_data = is_quantity(first.left, "direction")
+            of_the_data = is_quantity(first.left, "direction") or _is_to_a_line(first.left)
             return None if of_the_data else say("turned.by-directions")
         if record == "along-the-change" and event is not None and not event.wall:
             rested = [body for body in bodies if self._is_given_off(line, body)]
@@ -480,3 +481,9 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             and not all(is_quantity(e, "velocity") for e in let.quantity.arguments)
             for let in lets
         )
+
+
+def _is_to_a_line(tree: Expression) -> bool:
+    """Whether a quantity is the angle of one velocity, to a line."""
+    velocities = [is_quantity(side, "velocity") for side in children(tree)]
+    return is_quantity(tree, "angle") and velocities.count(True) == 1
