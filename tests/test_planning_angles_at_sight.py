@@ -52,6 +52,22 @@ find angle(velocity(A), velocity(B))
         (FROM_REST, "angle between 𝐯_B and 𝐮_A = 30°"),
         ("in the same ratio",),
     ),
+    "a velocity in degrees from a slanting line of centres": (
+        STRUCK.format(
+            velocity="5 at 140° from -i - j", more="", line="along i + j", asked="velocity(B)"
+        )
+        .replace("mass m", "mass 2")
+        .replace("mass 3m", "mass 3"),
+        ("𝐮_A · 𝐧 = 5 cos 40° ≈ 3.830", "((8/3) cos 40°)((𝐢 + 𝐣)/√2)", "≈ (1.44𝐢 + 1.44𝐣)"),
+        ("cos 5°", "cos 40° 𝐢"),
+    ),
+    "a velocity in a letter from a slanting line of centres": (
+        STRUCK.format(
+            velocity="u at alpha from 3i + 4j", more="", line="along 3i + 4j", asked="speed(A)"
+        ),
+        ("𝐮_A · 𝐧 = u cos α", "𝐮_A · 𝐭 = u sin α"),
+        ("3 cos α",),
+    ),
     "who was at rest, to a velocity in degrees": (
         STRUCK.format(
             velocity="u at 60°", more="", line="along i", asked="angle(velocity(B), velocity(A, 0))"

@@ -298,6 +298,13 @@ class Chains:
         for n in idle:
             self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
         rounded = is_plain(sides[-2]) or is_multiple(sides[-2])
+        if (
+            signs[-2:] == ["=", "≈"]
+            and is_vector(links[0].left)
+            and line.move.id == "rearrange"
+            and has_plain_angles(trees[-1])
+        ):
+            signs[-2] = "≈"  # nobody multiplies out components with cosines of a calculator
         if signs[-2:] == ["≈", "≈"] and rounded and not self._is_open(draft):
             del sides[-2], signs[-2]  # an answer has three figures at once
         shortest = 1000 if self._measures.decimals else _NEVER_READ

@@ -53,6 +53,7 @@ from restitution.planning.writing.circles import chord_from, from_centre
 from restitution.planning.writing.degrees import (
     angle_to_the_line,
     by_degrees,
+    by_the_angle_from,
     on_a_chord_by_degrees,
     share_by_degrees,
 )
@@ -121,8 +122,10 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         # One by the angle of its path with the line is read off: u cos(α − β).
         in_a_line &= form is None or angle_to_the_line(scene, body, frame) is None
         if frame.is_slanted and in_a_line:
+            if form is None and (read := by_the_angle_from(scene, kind, body, frame, value)):
+                form, value = read
             initial = initial_as_a_line(scene, body) if form is None else initial
-            return by_scalar_product(scene, tree, initial, frame, direction, form)
+            return by_scalar_product(scene, tree, initial, frame, direction, form, value)
         source = _put(scene, Source(value, initial.refs, frame.refs, form))
         if form is None and kind == "along":
             return replace(source, form=with_its_ratio(value, source.value))

@@ -49,13 +49,15 @@ def by_scalar_product(
     frame: Frame,
     direction: Vector,
     form: Expression | None = None,
+    exact: sp.Expr | None = None,
 ) -> Source:
     """A component of a vector of numbers in a direction that is one: a line of its own.
 
-    ``form`` is how the component is written, where it is no scalar product.
+    ``form`` is how the component is written, where it is no scalar product; ``exact`` what it is
+    worth before values are put in, where that is known.
     """
     (body,) = body_of(quantity)
-    exact = neat(source.value.dot(direction))
+    exact = neat(source.value.dot(direction)) if exact is None else exact
     value, more = scene.put(exact)
     value, refs = tidy(value), together(source.refs, more, frame.refs)
     move = Move("define", "component", frame.number, (body,))

@@ -174,6 +174,37 @@ def reference_of(scene: Scene, velocity: Expression) -> Vector | None:
     return value if isinstance(value, Vector) else None
 
 
+def by_the_angle_from(
+    scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
+) -> tuple[Expression, sp.Expr] | None:
+    """A component at the start by the angle from the very line of an impact: ``5 cos 25°``.
+
+    With it what it is worth. None where the angle is measured from another line.
+    """
+    fact = scene.facts.get(f"velocity {body}")
+    polar = None if fact is None else fact.relation.only[-1].right
+    start = None if polar is None else reference_of(scene, polar)
+    if not isinstance(polar, Polar) or start is None or not frame.is_slanted:
+        return None
+    direction = frame.direction(kind)
+    function = "cos" if tidy(start.cross(direction)) == 0 else "sin"
+    if function == "sin" and tidy(start.dot(direction)) != 0:
+        return None
+    match polar.angle:
+        case Degrees(degrees) if degrees % 90:
+            angle: Expression = Degrees(abs((degrees + 90) % 180 - 90))
+        case Letter() as angle:
+            pass
+        case _:
+            return None
+    own = product(polar.size, Apply(function, angle))
+    worth = scene.scalar(own)
+    for sign in (1, -1):
+        if scene.model.identically_zero(value - sign * worth):
+            return (own if sign == 1 else negative(own)), tidy(sign * worth)
+    return None
+
+
 def angles_in(tree: Expression) -> set[Expression]:
     """The angles in degrees that a tree has."""
     return {node for node in walk(tree) if isinstance(node, Degrees)}
@@ -234,6 +265,7 @@ __all__ = [
     "angle_to_the_line",
     "angles_in",
     "by_degrees",
+    "by_the_angle_from",
     "on_a_chord_by_degrees",
     "reference_of",
     "share_by_degrees",
