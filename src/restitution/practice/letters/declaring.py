@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.letters.surroundings import letters_of
@@ -148,7 +149,7 @@ def _in_one_sense(meanings: Sequence[Expression]) -> tuple[Expression, ...]:
     """Meanings without the opposites of those above them: along i or j there is one sense."""
     kept: list[Expression] = []
     for meaning in meanings:
-        inside = meaning.operand if isinstance(meaning, Negate) else meaning
+        inside = unsigned(meaning)
         opposite = inside if isinstance(meaning, Negate) else Negate(meaning)
         if not (_is_along_a_unit(inside) and opposite in kept):
             kept.append(meaning)
