@@ -213,6 +213,47 @@ find d
         ("β + θ = d", "tan d = (5/7 + 5/14)/(1 − (5/7) × (5/14)) = 105/73"),
         ("7 × (5/2)",),
     ),
+    "the unit vector along a wall has the sense of the wall": (
+        """
+wall V: along i - 2j
+wall W: along -2i - j
+sphere Q: velocity 5i + 2j
+Q hits V: e = 1/2
+Q hits W: e = 1/3
+find velocity(Q)
+""",
+        (
+            "𝐭₁ = (𝐢 − 2𝐣)/√5 the one parallel to V",
+            "𝐮 · 𝐭₁ = (5 − 2 × 2)/√5 = √5/5 m s⁻¹",
+            "stays √5/5 m s⁻¹.",
+            "𝐭₂ = (−2𝐢 − 𝐣)/√5 the one\n",
+            "𝐯₁ · 𝐭₂ = −𝐯₁ · 𝐧₁ = 6√5/5 m s⁻¹",
+            "(6√5/5)((−2𝐢 − 𝐣)/√5)",
+        ),
+        ("−𝐢 + 2𝐣", "2𝐢 + 𝐣)/√5 the one parallel"),
+    ),
+    "what stays along a wall is an equation in the sense of the wall": (
+        """
+wall W: along -4i + 3j
+sphere P: velocity 3i - 5j
+P hits W
+given velocity(P) parallel to i
+find speed(P)
+""",
+        ("𝐯_P · 𝐭 = −4V/5", "−4V/5 = −27/5\n"),
+        ("4𝐢 − 3𝐣",),
+    ),
+    "the sense along a wall that nothing tells is that in which the body goes": (
+        """
+wall W: along 3i + 4j
+sphere P: mass 2
+P hits W: e = 0.4
+given speed(P) = 10, tan(angle(velocity(P), W)) = 3/4
+find speed(P, 0)
+""",
+        ("stays 10 × 0.8 = 8 m s⁻¹",),
+        ("−8",),
+    ),
     "the greatest tangent of a difference of two letters": (
         """
 wall W: along i

@@ -61,6 +61,7 @@ from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.figures import FIGURES_OF_ANSWERS, degrees_of, is_inverse
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.senses_of_walls import in_senses_of_walls
 from restitution.workings.naming.sources import Sources
 from restitution.workings.noted import Notes
 from restitution.workings.reasons.premises import Reasons
@@ -97,19 +98,23 @@ def explanation_of(
     these numbers.
     """
     labels = list(dict.fromkeys(derivation.asked.values()))
-    writer = _Writer(derivation, problem, conditions or {})
+    whole, in_senses = derivation, in_senses_of_walls(derivation, problem)
+    derivation, turned = in_senses.printed, in_senses.events
+    writer = _Writer(derivation, problem, conditions or {}, turned=turned)
     steps = {label: writer.part(label) for label in labels}
     wanted = writer.naming.bold.wanted
     if wanted != writer.naming.bold.used:
         # Which velocities have letters is known now, so that they can be introduced together.
-        writer = _Writer(derivation, problem, conditions or {}, wanted, shared=writer)
+        writer = _Writer(
+            derivation, problem, conditions or {}, wanted, shared=writer, turned=turned
+        )
         steps = {label: writer.part(label) for label in labels}
     parts: list[PartExplanation] = []
     for label in labels:
         ends = [item for item in derivation.items if item.part == label]
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(end.answer)) for end in ends)
-        parts.append(PartExplanation(label, asked, steps[label], answers, derivation))
+        parts.append(PartExplanation(label, asked, steps[label], answers, whole))
     letters = writer.naming.letters
     return Explanation(problem.title, tuple(parts), problem.warnings, solution, letters=letters)
 
@@ -126,6 +131,7 @@ class _Writer:
     title: Sentence | None = None
     before: tuple[Sentence, ...] = ()
     shared: _Writer | None = None
+    turned: frozenset[int] = frozenset()
 
     def __post_init__(self) -> None:
         derivation, shared = self.derivation, self.shared
@@ -135,6 +141,7 @@ class _Writer:
             used=self.used,
             shared=shared.naming if shared else None,
             foresees=self.used is None,
+            turned=self.turned,
         )
         # What no letter changes is the same for both.
         self.measures: Measures = (

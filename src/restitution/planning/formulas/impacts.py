@@ -141,7 +141,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         sign = _parallel(scene, own.direction(own_kind), direction)
         if sign:
             standing = settled(scene, own.component(own_kind, body, last))
-            if standing is None and in_numbers:
+            if standing is None and in_numbers and last != frame.number:
                 break  # the vector is resolved: nothing of the last impact is worked out for it
             source = standing or after(scene, own_kind, body, own)
             axis = source.axis

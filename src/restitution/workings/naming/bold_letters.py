@@ -101,7 +101,8 @@ class BoldLetters:
     ``used`` are those that it turns out to need, where that is known: then each is introduced with
     those of its time. ``taken`` are letters that stand for something else, ``when`` says a time,
     ``layout`` lays a tree out, ``circles`` are the walls that are circular, and ``roles`` tell what
-    letters may be. ``directions`` are those of the lines of events, where they are known.
+    letters may be. ``directions`` are those of the lines of events, where they are known; across
+    them components count to the right at the ``turned`` events, and to the left at others.
     """
 
     derivation: Derivation
@@ -113,6 +114,7 @@ class BoldLetters:
     roles: Mapping[str, Role] = field(default_factory=dict)
     part: str | None = None
     directions: Mapping[int, Vector | None] | None = None
+    turned: frozenset[int] = frozenset()
     _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
     _wanted: dict[tuple[str, int], str | None] = field(default_factory=dict)
     _wanted_units: set[tuple[int, str]] = field(default_factory=set)
@@ -130,7 +132,7 @@ class BoldLetters:
             if not (place and event.wall)
         }
         if self.directions is None:
-            self.directions = {n: _direction(self.derivation, n) for n in self._events}
+            self.directions = {n: direction_of_event(self.derivation, n) for n in self._events}
         self._directions = self.directions
 
     @property
@@ -318,8 +320,14 @@ class BoldLetters:
         direction = self._directions.get(number)
         if direction is None:
             return None
-        whole, _ = _whole(direction if kind == "along" else direction.turned_left())
+        whole, _ = _whole(self._axis(number, kind, direction))
         return self.layout(tree_of(whole))
+
+    def _axis(self, number: int, kind: str, along: Vector) -> Vector:
+        """The direction in which components along the line of an event, or across it, count."""
+        if kind == "along":
+            return along
+        return -along.turned_left() if number in self.turned else along.turned_left()
 
     def across_wall(self, wall: str) -> lay.Layout | None:
         """The direction of a wall turned to the left, as a vector; None where it is not told."""
@@ -391,7 +399,7 @@ class BoldLetters:
         for kind in kinds:
             letter = lay.Bold(self._free(kind) or "", subscript)
             self._units[number, kind] = letter
-            axis = direction if kind == "along" else direction.turned_left()
+            axis = self._axis(number, kind, direction)
             sides = [letter, self.layout(_tree_of_unit(axis))]
             put = _with_ratios(axis, self._ratios(number))
             if put != axis:
@@ -484,7 +492,7 @@ def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:
     return values
 
 
-def _direction(derivation: Derivation, number: int) -> Vector | None:
+def direction_of_event(derivation: Derivation, number: int) -> Vector | None:
     """The direction of the line of an event, where it is told by **i** and **j** and slants."""
     if any(e.move.record == "chord" and e.move.event == number for e in derivation.lines):
         return None  # components on a chord are known before that direction is
@@ -643,4 +651,4 @@ def _whole(direction: Vector) -> tuple[Vector, sp.Expr]:
     return Vector(*(tidy(component * length) for component in direction)), length
 
 
-__all__ = ["BoldLetters", "Used", "unit_vector"]
+__all__ = ["BoldLetters", "Used", "direction_of_event", "unit_vector"]

@@ -53,12 +53,14 @@ class Naming(Moments):
 
     ``used`` are the bold letters that it needs, where that is known; ``shared`` the names of the
     same working without them, of which those are taken over that no bold letter changes. One that
-    ``foresees`` takes those that its lines are likely to need.
+    ``foresees`` takes those that its lines are likely to need. At ``turned`` events components
+    across the normal of a wall count to its right.
     """
 
     used: Used | None = None
     shared: Naming | None = None
     foresees: bool = False
+    turned: frozenset[int] = frozenset()
     _own: dict[Expression, lay.Layout] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
 
@@ -77,6 +79,7 @@ class Naming(Moments):
             frozenset(self.circles),
             roles(self.problem),
             directions=shared.bold.directions if shared else None,
+            turned=self.turned,
         )
         if self.foresees:
             self.bold.used = foreseen(self.derivation, self.bold.has_unit)
