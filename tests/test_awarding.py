@@ -782,7 +782,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
-    ("distance-along-one-axis", "along-two-walls", 8, "A1", "A1", "A1"),
+    ("distance-restated", "along-two-walls", 8, "A1", "A1", "A1"),
     ("opposite-impulse", "opposite", 3, "A1ft", "A1ft", "A1ft"),
     ("another-changed", "changed-along", 11, "", "", ""),
     ("another-that-is-asked", "both-asked", 9, "", "", ""),

@@ -25,7 +25,7 @@ from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_tangents import with_direct_tangents
-from restitution.planning.writing.facts_once import with_facts_once
+from restitution.planning.writing.facts_once import with_distances_once, with_facts_once
 from restitution.planning.writing.gathering import (
     gathered,
     numbered_anew,
@@ -67,7 +67,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     whole = without_idle_arctangents(without_unprinted_letters(whole))
-    return gathered(with_direct_impacts(with_facts_once(whole)))
+    return gathered(with_direct_impacts(with_distances_once(with_facts_once(whole))))
 
 
 def pruned(derivation: Derivation) -> Derivation:

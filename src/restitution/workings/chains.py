@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from restitution.explaining.data.restated import axis_restated
 from restitution.explaining.lines.derivation import (
     Derivation,
     Line,
@@ -379,7 +380,7 @@ class Chains:
         plain = plain or (not calculated and self._stays_exact(line, last))
         plain = plain or (calculated and self._leads_elsewhere(line, last))
         ratio = isinstance(links[0].left, Apply) and line.move.id != "define"
-        worked = calculated and (ratio or line.move.id in _WORKED_OUT)
+        worked = calculated and (ratio or self._only_works_out(line))
         if line.move.id == "put" and self._figures.has_known(trees[1]):
             worked = False  # what is put in is shown first
         if (
@@ -417,6 +418,10 @@ class Chains:
         if put and any(map(self._figures.has_sums_of_roots, exact)):
             self._in_figures_above.add(exact[0])
         return put
+
+    def _only_works_out(self, line: Line) -> bool:
+        """Whether a line makes a value of what stands, or says a coordinate as a distance."""
+        return line.move.id in _WORKED_OUT or axis_restated(self._derivation, line) is not None
 
     def _goes_on_in_figures(self, line: Line) -> bool:
         """Whether a line only works out what figures stand for above, with a calculator."""

@@ -168,12 +168,15 @@ class _Writer:
         self.notes = Notes(derivation, self.naming, self.ends, self.rows.in_figures)
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
-        self.touching = Touching(derivation, self.naming)
-        self.carried = Carried(
-            derivation, self.naming, self.measures, self.sources, self.ends, self.rows.in_figures
-        )
         self.staying = Staying(
             derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
+        )
+        unprinted = self.staying.is_nothing
+        self.touching = Touching(derivation, self.naming, unprinted)
+        in_figures = self.rows.in_figures
+        self.carried = Carried(
+            *(derivation, self.naming, self.measures, self.sources, self.ends),
+            *(in_figures, unprinted),
         )
         self.cases = {n: case for case in derivation.cases for n in case.lines}
         self.case: int | None = None

@@ -9,10 +9,10 @@ from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR
 from restitution.explaining.awarding.place_conditions import (
     another_chord,
     at_another_time,
-    displaced,
     goes_on,
     open_place,
     put_together,
+    restated,
 )
 from restitution.explaining.awarding.work import Work, is_settled, length, single_sides, subject_of
 from restitution.explaining.data.offset_angles import letter_of_offset
@@ -669,7 +669,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "share-of-the-data": _is_share_of_the_data,
     "of-shares": _of_shares,
     "of-an-offset": _of_an_offset,
-    "displaced": displaced,
+    "restated": restated,
     "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
     "open-place": open_place,

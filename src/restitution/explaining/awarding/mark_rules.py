@@ -148,7 +148,7 @@ RULES: tuple[Rule, ...] = (
     _rule("velocity-by-size-and-direction", ("define",), "M", ("turned",), ("asked",)),
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
-    _rule("distance-along-one-axis", ("define",), "", ("distance",), ("displaced",)),
+    _rule("distance-restated", ("define",), "", ("distance",), ("restated",)),
     _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
     _rule("product-read-off", ("define",), "", ("product",), ("of-one-component",)),
     _rule(

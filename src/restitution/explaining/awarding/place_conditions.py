@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from restitution.explaining.awarding.work import Work, subject_of
-from restitution.explaining.lines.derivation import Line, Link, Relation
+from restitution.explaining.data.restated import axis_restated
+from restitution.explaining.lines.derivation import Line, Relation
 from restitution.expression.tree import (
     AtTime,
     Binary,
@@ -136,26 +137,16 @@ def _has_a_method(work: Work, line: Line) -> bool:
     return line.move.record == "straight-line" and rule is not None and rule.points == "M"
 
 
-def displaced(work: Work, line: Line) -> bool:
-    """A distance that is a displacement of a line above, in one direction."""
-    match line.relation:
-        case Relation(((Link(_, "=", distance),),)):
-            pass
-        case _:
-            return False
-    for premise in work.cited(line):
-        match premise.relation:
-            case Relation(((Link(Binary("-", Quantity("along"), Quantity("along"))), *_),)) as own:
-                if own.only[-1].right == distance:
-                    return True
-    return False
+def restated(work: Work, line: Line) -> bool:
+    """A distance that is a coordinate, or a displacement in one direction, of a line above."""
+    return axis_restated(work.derivation, line) is not None
 
 
 __all__ = [
     "another_chord",
     "at_another_time",
-    "displaced",
     "goes_on",
     "open_place",
     "put_together",
+    "restated",
 ]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 
 from restitution.explaining.data.arrangement import Arrangement, difference, dot, turned, world_of
 from restitution.explaining.data.coming_to_walls import coming_to_wall
@@ -598,6 +599,8 @@ class FactsOf(Arrangement):
         def change(tree: Expression) -> Expression:
             if not isinstance(tree, Quantity) or tree.kind not in _STAGED:
                 return tree
+            if (tree.kind, tree.arguments) == ("energy", ()):
+                tree = replace(tree, arguments=self._with_energies)
             if tree.stage is None and tree.kind == "direction" and self._is_wall(tree):
                 return tree
             if tree.stage not in (None, "before"):
@@ -612,6 +615,14 @@ class FactsOf(Arrangement):
             return replace(tree, stage=stage)
 
         return settled(rebuilt(tree, change), self.events)
+
+    @cached_property
+    def _with_energies(self) -> tuple[Expression, ...]:
+        """The only sphere, where its own energies are spoken of: all energy is that."""
+        own = (tree for whole in all_trees(self.problem) for tree in walk(whole))
+        named = any(is_quantity(tree, "energy", "energy_lost") and tree.arguments for tree in own)
+        spheres = self.problem.spheres
+        return (Name(spheres[0].name),) if named and len(spheres) == 1 else ()
 
     def _is_between_bodies(self, tree: Quantity) -> bool:
         spheres = {sphere.name for sphere in self.problem.spheres}

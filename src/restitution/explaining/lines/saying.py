@@ -74,7 +74,8 @@ def words_of(sentences: Iterable[Sentence], between: str = " ") -> Words:
 
 def operand(sentence: Sentence) -> Layout:
     """A sentence as an operand of a line: words and formulas side by side."""
-    items = [Text(word.strip()) if isinstance(word, str) else word for word in sentence.words]
+    words = (word.strip() if isinstance(word, str) else word for word in sentence.words)
+    items = [Text(word) if isinstance(word, str) else word for word in words if word]
     return items[0] if len(items) == 1 else Phrase(tuple(items))
 
 

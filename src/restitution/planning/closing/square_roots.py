@@ -162,9 +162,10 @@ def is_product_of_sums(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
 
 def linear_factors(scene: Scene, number: int, symbol: sp.Symbol) -> list[sp.Expr]:
     """The factors with the unknown of a product that is zero, where all are linear; else none."""
-    match scene.desk.last_link(number):
-        case Link(left, "=", right) if is_zero(right):
-            factors = [factor for factor in factors_above(left) if symbol.name in letters(factor)]
+    link = scene.desk.last_link(number)
+    match link if is_zero(link.right) else Link(link.right, link.sign, link.left):
+        case Link(whole, "=", zero) if is_zero(zero):
+            factors = [factor for factor in factors_above(whole) if symbol.name in letters(factor)]
             values = [sp.sympify(scene_value(scene, factor), strict=True) for factor in factors]
             if all(
                 value.is_polynomial(symbol) and sp.Poly(value, symbol).degree() == 1

@@ -29,6 +29,7 @@ from restitution.planning.journeys.places import (
     place,
     spot,
     time_of,
+    worked_out,
 )
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -43,6 +44,7 @@ from restitution.planning.writing.place_trees import (
 )
 from restitution.planning.writing.polynomials import expanded, factored
 from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
 
 
 def distance(scene: Scene, asked: Quantity) -> Source:
@@ -206,9 +208,11 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
         case Name(name):
             return _end(scene, Quantity("position", (tree,), stage), stage)
         case Quantity("position", (Name(body),), int(number)):
-            worked_out = any(_is_worked_out(scene, body, number, axis) for axis in AXES)
-            if worked_out or tree in scene.asked_alone:
+            if tree in scene.asked_alone:
                 return place(scene, body, number)
+            if any(_is_worked_out(scene, body, number, axis) for axis in AXES):
+                x, y = (worked_out(scene, body, number, axis) for axis in AXES)
+                return Source(Vector(x.value, y.value), together(x.refs, y.refs))
             return spot(scene, body, number)
         case Quantity("position", (Name(body),), AtTime()):
             return place_then(scene, tree, body)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, numbers_in
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -12,6 +12,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.whereabouts import (
     contact_of,
+    keeps_still,
     offset_at,
     partner_of,
     standing,
@@ -118,5 +119,21 @@ def open_line(scene: Scene, body: str, stage: int) -> int | None:
 def nearest(scene: Scene, body: str, since: int, stage: int, axis: Axis | None = None) -> int:
     """The last event before another at which a line says where a body is; else its own last one."""
     near = stage - 1
+    if near <= since:
+        return since
     tree = place_tree(body, near) if axis is None else coordinate_tree(body, near, axis)
-    return near if near > since and scene.desk.known(tree) is not None else since
+    if scene.desk.known(tree) is not None:
+        return near
+    moving = [own for own in AXES if not keeps_still(scene, body, since, own)]
+    if axis is None and moving:
+        known = [scene.desk.known(coordinate_tree(body, near, own)) for own in moving]
+        # One that no other line takes would stand for this place alone.
+        if all(own is not None and _is_taken(scene, own) for own in known):
+            return near
+    return since
+
+
+def _is_taken(scene: Scene, own: Source) -> bool:
+    """Whether a line rests on one that gives a value."""
+    numbers = set(numbers_in(own.refs))
+    return any(numbers & {*line.premises} for line in scene.desk.lines)

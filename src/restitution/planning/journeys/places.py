@@ -363,7 +363,7 @@ def place(scene: Scene, body: str, stage: int) -> Source:
         along, beside = (_with_its_time(scene, body, stage, axis) for axis in AXES)
         if not (along or beside):
             return place_moved(scene, body, stage)
-    parts = [_worked_out(scene, body, stage, axis) for axis in AXES]
+    parts = [worked_out(scene, body, stage, axis) for axis in AXES]
     value = Vector(*(part.value for part in parts))
     number = scene.desk.write(
         Move("define", "assemble", stage or None, (body,)),
@@ -373,7 +373,7 @@ def place(scene: Scene, body: str, stage: int) -> Source:
     return scene.desk.know(quantity, value, (number,))
 
 
-def _worked_out(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
+def worked_out(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     """A coordinate; if letters in its line have been found since, by a line with these put in."""
     own = coordinate(scene, body, stage, axis)
     tree = coordinate_tree(body, stage, axis)

@@ -1,10 +1,17 @@
-"""What a given fact says of a component is not printed again where it is put in."""
+"""What a given fact says of a component, and a coordinate, is not printed again as it is put in."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.data.restated import axis_restated
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Relation,
+    numbers_in,
+)
 from restitution.expression.tree import Expression, Letter
 
 
@@ -36,6 +43,33 @@ def with_facts_once(derivation: Derivation) -> Derivation:
     return replace(derivation, lines=tuple(kept))
 
 
+def with_distances_once(derivation: Derivation) -> Derivation:
+    """The same working without distances that are coordinates of lines above.
+
+    Where such a distance is only put into what is given, the coordinate stands there.
+    """
+    ends = {end.line for end in derivation.items}
+    given = {fact.id for fact in derivation.facts if fact.kind == "given"}
+    taken: dict[int, list[Line]] = {}
+    for line in derivation.lines:
+        for ref in numbers_in(line.premises):
+            taken.setdefault(ref, []).append(line)
+    hidden = {
+        line.number
+        for line in derivation.lines
+        if line.number not in ends
+        and axis_restated(derivation, line) is not None
+        and all(e.move.id == "put" and given & {*e.premises} for e in taken.get(line.number, ()))
+    }
+    return replace(
+        derivation,
+        lines=tuple(
+            replace(line, shown="silent") if line.number in hidden else line
+            for line in derivation.lines
+        ),
+    )
+
+
 def _stands(
     equations: list[tuple[Expression, Expression, Line]],
     line: Line,
@@ -57,4 +91,4 @@ def _equation(line: Line) -> Link | None:
     return links[0] if len(links) == 1 and links[0].sign == "=" else None
 
 
-__all__ = ["with_facts_once"]
+__all__ = ["with_distances_once", "with_facts_once"]

@@ -6,6 +6,7 @@ to it is tried. A bounded number of results is kept.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import sympy as sp
@@ -32,6 +33,17 @@ def factor_powers(x: sp.Expr) -> tuple[tuple[sp.Expr, int], ...]:
     if expanded(x) == 0:
         return ()
     return tuple(sp.factor_list(x)[1])
+
+
+def is_factored_quadratic(value: sp.Expr, unknown: Collection[sp.Symbol]) -> bool:
+    """Whether an expression is a product of sums with the one unknown, and no x² − c."""
+    if len(unknown) != 1:
+        return False
+    (letter,) = unknown
+    if not value.is_polynomial(letter):
+        return False
+    sums = [power for base, power in factor_powers(value) if base.is_Add and base.has(letter)]
+    return sum(sums) > 1 and bool(expanded(value).coeff(letter, 1))
 
 
 @remembered(2048)

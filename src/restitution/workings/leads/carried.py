@@ -79,6 +79,7 @@ class Carried:
         sources: Sources,
         ends: Ends,
         figures: Callable[[Link], Link],
+        unprinted: Callable[[Line], bool],
     ) -> None:
         self._derivation = derivation
         self._naming = naming
@@ -86,6 +87,7 @@ class Carried:
         self._sources = sources
         self._ends = ends
         self._figures = figures
+        self._unprinted = unprinted
         self._named: set[tuple[str | None, int]] = set()
         self._waiting: dict[int, Line] = {}
         self._ratios: set[Expression] = set()  # in the rows that take what waits
@@ -111,6 +113,8 @@ class Carried:
                     continue
                 if label is None and part == self._first:
                     continue  # it stands just above
+                if self._unprinted(own):
+                    continue
                 if line.move.record == "difference" and self._is_a_component(own):
                     continue  # it only tells which way a body goes
                 if own.move.record == "unchanged":

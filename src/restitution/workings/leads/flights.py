@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from restitution.explaining.data.restated import axis_restated
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -255,7 +256,7 @@ def distance_title(derivation: Derivation, naming: Naming, line: Line) -> Senten
     level = _apart_along_the_line(derivation, line)
     if level is not None:
         return level
-    axis = _alone_displaced(derivation, line)
+    axis = axis_restated(derivation, line)
     if axis is not None:
         return say("distance.along-one", axis="x" if axis.axis == "i" else "y")
     match line.relation:
@@ -289,23 +290,6 @@ def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
     return any(is_quantity(e.arguments[0], "position") for e in places) and not any(
         is_time(subject) or is_duration(subject) for subject in subjects
     )
-
-
-def _alone_displaced(derivation: Derivation, line: Line) -> Unit | None:
-    """The axis along which two places are as far apart as a line tells; None where both count."""
-    assert isinstance(line.relation, Relation)
-    for premise in map(derivation.line, (ref for ref in line.premises if isinstance(ref, int))):
-        match None if premise is None else premise.relation:
-            case (
-                Relation(
-                    options=(
-                        (Link(Binary("-", Quantity("along", (_, Unit() as axis)))) as own, *_),
-                    )
-                ) as relation
-            ) if is_displacement(own.left):
-                if relation.only[-1].right == line.relation.only[-1].right:
-                    return axis
-    return None
 
 
 def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:

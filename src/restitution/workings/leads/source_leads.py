@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.explaining.data.restated import axis_restated
 from restitution.explaining.lines.derivation import (
     Line,
     Link,
@@ -177,7 +178,11 @@ class SourceLeads(LinesAround):
         elif facts and equations:
             yield say("derived.since-in", facts=facts, equations=equations)
         elif len(facts) == 1 and isinstance(facts[0], Sentence):
-            yield say("given.fact", fact=facts[0])
+            axis = self._axis_of_distances(line)
+            if axis is None:
+                yield say("given.fact", fact=facts[0])
+            else:
+                yield say("given.fact-along-one", fact=facts[0], axis=axis)
         elif facts:
             yield say("derived.since", facts=facts)
         elif letters and len(equations) == 1 and source.last:
@@ -190,6 +195,16 @@ class SourceLeads(LinesAround):
             yield say("derived.since", facts=(exchanged,))
         elif put:
             yield say("derived.put", letters=letters)
+
+    def _axis_of_distances(self, line: Line) -> str | None:
+        """The name of the coordinates that stand in the place of distances that are put in."""
+        lines = self._derivation.lines_in(line.premises)
+        axes = {
+            axis.axis
+            for own in lines
+            if own.shown == "silent" and (axis := axis_restated(self._derivation, own))
+        }
+        return {"i": "x", "j": "y"}[axes.pop()] if len(axes) == 1 else None
 
     def _sides_exchanged(self, line: Line) -> lay.Layout | None:
         """``1/k = e`` from e = 1/k, where a line has e in the place of 1/k; None elsewhere."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
@@ -25,13 +25,21 @@ from restitution.workings.naming.quantities import Naming
 class Touching:
     """The places that contacts tell, each said once."""
 
-    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+    def __init__(
+        self, derivation: Derivation, naming: Naming, unprinted: Callable[[Line], bool]
+    ) -> None:
         self._derivation = derivation
         self._naming = naming
+        self._unprinted = unprinted
         self._done: set[tuple[str, int]] = set()
 
     def before(self, line: Line) -> Iterator[Sentence]:
-        """What stands above a distance: the ends that no line gives, as a contact tells them."""
+        """What stands above a distance: the ends that no line gives, as a contact tells them.
+
+        Above a way of another part, where that begins, as no line there has it.
+        """
+        if line.move.record == "straight-line":
+            yield from self._where_both_were(line)
         if line.move.record != "distance" or line.move.event is not None:
             return
         assert isinstance(line.relation, Relation)
@@ -50,6 +58,36 @@ class Touching:
             if place is not None and end not in self._done:
                 self._done.add(end)
                 yield self._sentence(end, place)
+
+    def _where_both_were(self, line: Line) -> Iterator[Sentence]:
+        """Where a body begins its way: at one that it struck there, which was at rest."""
+        for own in self._derivation.lines_in(line.premises):
+            if not self._unprinted(own):
+                continue
+            match own.relation:
+                case Relation(
+                    ((Link(Quantity("position", (Name(body),), int(number)), "=", right),),)
+                ) if (
+                    f"contact {number}" in line.premises
+                    and line.move.event not in (None, number)
+                    and body not in line.move.bodies
+                    and (body, number) not in self._done
+                    and self._part(line) != self._part_of_event(number)
+                    and (place := vector_worth(right)) is not None
+                ):
+                    self._done.add((body, number))
+                    both = tuple(sorted((*line.move.bodies, body)))
+                    where = self._naming.layout(Pair(tree_of(place.x), tree_of(place.y)))
+                    event = self._naming.called(self._naming.events[number])
+                    yield say("touch.both-at", bodies=both, event=event, place=where)
+
+    def _part(self, line: Line) -> str | None:
+        return self._derivation.asked.get(line.item or "")
+
+    def _part_of_event(self, number: int) -> str | None:
+        """The part in which the laws of an event stand first."""
+        lines = (e for e in self._derivation.lines if e.move.event == number)
+        return next((self._part(line) for line in lines if line.move.id == "law"), None)
 
     def _place(self, line: Line, body: str, number: int) -> Pair | None:
         """The coordinates of a body at a contact; None where a line has said them."""

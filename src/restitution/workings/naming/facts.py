@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Fact, Link, turned
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -86,14 +88,18 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
         ):
             return say(_RATIOS[ratio], angle=named, value=right)
     if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
-        match link.right:
+        match _as_a_multiple(link.right):
             case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                 return say("derived.same", quantity=left, value=right)
             case Binary("*", size, Quantity() as whole) if _is_share(size):
                 share = _percentage(naming.as_typed(size))
+                if (when := _when_the_same(naming, link.left, whole)) is not None:
+                    return say("derived.share-of-that", quantity=left, share=share, when=when)
                 return say("derived.share", quantity=left, share=share, value=naming.side(whole))
-            case Binary("*", Letter() as size, Quantity() as whole):
-                share = naming.layout(size)
+            case Binary("*", Letter() | Number() as size, Quantity() as whole):
+                share = naming.as_typed(size)
+                if (when := _when_the_same(naming, link.left, whole)) is not None:
+                    return say("derived.times-that", quantity=left, share=share, when=when)
                 return say("derived.times", quantity=left, share=share, value=naming.side(whole))
         return say("derived.is", quantity=left, value=_measured(naming, link, right))
     if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
@@ -106,6 +112,24 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
                 bound = say("derived.part", share=share, value=naming.side(whole))
         return say(_BOUNDS[link.sign], quantity=left, value=bound)
     return naming.relation(fact.relation)
+
+
+def _as_a_multiple(tree: Expression) -> Expression:
+    """A quotient of a quantity by a number as a part of it: a half of it; any other tree itself."""
+    match tree:
+        case Binary("/", Quantity() as whole, Number(size)) if size > 1:
+            return Binary("*", Number(1 / size), whole)
+    return tree
+
+
+def _when_the_same(naming: Naming, one: Expression, other: Expression) -> Sentence | None:
+    """When a distance is as another is said, of the same ends; None of others."""
+    same = is_quantity(one, "distance") and _without_stages(one) == _without_stages(other)
+    return naming.when(other) if same else None
+
+
+def _without_stages(tree: Expression) -> Expression:
+    return rebuilt(tree, lambda own: replace(own, stage=None) if isinstance(own, Quantity) else own)
 
 
 def velocity_given(naming: Naming, fact: Fact) -> lay.Layout:

@@ -355,6 +355,7 @@ class Naming(Moments):
                 between = self._between_places(arguments)
                 if between is not None:
                     return between
+                arguments, stage = _at_one_time(arguments, stage)
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, stage):
                 is_bold = isinstance(stage, int) and self.bold.direction(stage, "along") is not None
@@ -382,6 +383,15 @@ class Naming(Moments):
         if any(self.bodies.get(name) == "wall" for name in names):
             return None
         return say("derived.of-bodies", noun=record.in_formulas, of=names)
+
+    def when(self, tree: Expression) -> Sentence | None:
+        """When a quantity is as a line says, in words; None of what has no time."""
+        match tree:
+            case Quantity("distance", arguments, stage):
+                return self._when_at(_at_one_time(arguments, stage)[1])
+            case Quantity(_, _, int(stage)):
+                return self._when_at(stage)
+        return None
 
     def _between_places(self, ends: tuple[Expression, ...]) -> Sentence | None:
         """A distance between two places of one body; None of another distance."""
@@ -636,6 +646,17 @@ class Naming(Moments):
 def _turned_left(axis: Unit) -> Expression:
     """The unit vector at 90° anticlockwise from **i** or **j**."""
     return Unit("j") if axis.axis == "i" else Negate(Unit("i"))
+
+
+def _at_one_time(
+    ends: tuple[Expression, ...], stage: Stage
+) -> tuple[tuple[Expression, ...], Stage]:
+    """The ends of a distance, and when it is so: from a point, that is when the body is there."""
+    places = [end for end in ends if is_quantity(end, "position")]
+    if stage is not None or len(places) != 1:
+        return ends, stage
+    (place,) = places
+    return tuple(end.arguments[0] if end is place else end for end in ends), place.stage
 
 
 def _number(stage: Stage) -> int | None:

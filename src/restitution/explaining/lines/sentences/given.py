@@ -23,6 +23,9 @@ SENTENCES: Mapping[str, str] = {
         "It is given that {fact}. {body} was at rest, so it moves along the line of centres:"
     ),
     "given.fact": "It is given that {fact}:",
+    "given.fact-along-one": (
+        "It is given that {fact}. These positions differ in their {axis}-coordinates alone:"
+    ),
     "given.fact-across-wall": (
         "It is given that {fact}. Half the mass cancels, and the component parallel to {wall} does "
         "not change:"

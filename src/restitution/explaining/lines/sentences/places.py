@@ -188,6 +188,7 @@ SENTENCES: Mapping[str, str] = {
     ),
     "touch.gap": "When {one} and {other} touch, their centres are {distance} apart.",
     "touch.at": "The {position} is {place}.",
+    "touch.both-at": "At {event} {bodies:and} are both at {place}.",
     "touch.origin": "The {position} is the origin.",
     "touch.meet": "{one} and {other} meet when their coordinates are equal:",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
