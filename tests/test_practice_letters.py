@@ -657,3 +657,60 @@ def test_a_velocity_relative_to_the_mass_centre_is_known(line: str) -> None:
     assert verdicts == ["true", "true"]
     wrong = r.mark(problem, working.replace("2.4", "2.5")).json()["lines"]
     assert wrong[-1]["verdict"] != "true"
+
+
+_ROOM = """\
+wall V: along j, through (0, 0)
+sphere P: mass 2, at (2, 0), velocity -4i + 3j
+P hits V: e = 1/2
+find {}
+"""
+_BLOW = "sphere A: mass 2, at rest\nA receives 10i + 4j\nfind velocity(A)"
+_TURN = (
+    "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+    "given deflection(P) = 90°, tan(alpha) = 2\nfind e"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "right", "wrong"),
+    [
+        (_ROOM.format("time(1), velocity(P)"), "t = 2/4 = 0.5", "t = 2/5 = 0.4"),
+        (_ROOM.format("velocity(P), impulse"), "I = 2(4 + 2) = 12", "I = 2(4 - 2) = 4"),
+        (_ROOM.format("speed(P)"), "v = √(9 + 4)", "v = √(9 + 2) = 3.32"),
+        (_BLOW, "v = 5i + 2j", "v = 10i + 4j"),
+        (_TURN, "u cos α = v cos β\neu sin α = v sin β\nβ = 90 - α", "β = 90"),
+    ],
+)
+def test_a_letter_for_what_is_asked_has_no_value_of_nothing(
+    statement: str, right: str, wrong: str
+) -> None:
+    """Whatever time t is, it is not that; so of impulses, vectors and roots of two squares."""
+    true = r.mark(solved(statement)[1], right).json()
+    assert {line["verdict"] for line in true["lines"]} == {"true"}
+    lines = [*right.splitlines()[:-1], wrong]
+    marking = r.mark(solved(statement)[1], lines).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["true"] * (len(lines) - 1) + ["false"]
+    assert not marking["asks"]
+
+
+@pytest.mark.parametrize("line", ["v = 2", "v = 10i + 4j"])
+def test_a_letter_of_no_certain_kind_is_asked_about(line: str) -> None:
+    """As a component there is such a value; of two velocities none is sure."""
+    both = (
+        "sphere A: mass 2, at rest\nsphere B: mass 1, velocity j\nA receives 10i + 4j\n"
+        "B receives i\nfind velocity(A), velocity(B)"
+    )
+    statement = both if "j" in line else _ROOM.format("time(1), speed(P)")
+    (verdict,) = (own["verdict"] for own in r.mark(solved(statement)[1], line).json()["lines"])
+    assert verdict != "false"
+
+
+def test_who_adds_two_squares_takes_no_whole_speed() -> None:
+    """4 is e times the speed 8 as well, which √(12 + 4) says nothing of."""
+    statement = (
+        "wall W: along i\nsphere P: velocity 8 at 30° to W\nP hits W: e = 1/2\nfind speed(P)"
+    )
+    (line,) = r.mark(solved(statement)[1], "v = √(12 + 4) = 4").json()["lines"]
+    assert line["verdict"] == "false"
+    assert line["mistake"]["id"] in (None, "arithmetic")

@@ -561,3 +561,46 @@ def test_an_impulse_with_the_mass_of_the_other_sphere_is_named(
     statement: str, line: str, name: str
 ) -> None:
     assert name_of(f"{statement}find impulse", line) == name
+
+
+HEAVY = """
+sphere A: mass 1, velocity 4i + 3j
+sphere B: mass 3, at rest
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B)
+"""
+BOTH_WAYS = """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i, e = e
+find velocity(A)
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "name"),
+    [
+        (HEAVY, "velocity of A = 0.5i + 3j", "sign"),
+        (BOTH_WAYS, "v = u(1 + 2e)/3", "sign"),
+        (HEAVY, "4 = 3w - v\nw - v = 2", "momentum-sign"),
+    ],
+)
+def test_a_sign_in_a_value_is_no_sign_of_a_law(statement: str, line: str, name: str) -> None:
+    """Where no term of a law stands in it, its sign alone is wrong."""
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    marking = restitution.mark(restitution.parse(statement), line, letters=letters).json()
+    first, *_ = marking["lines"]
+    assert first["verdict"] == "false"
+    assert first["mistake"]["id"] == name
+
+
+def test_of_two_walls_a_law_is_altered_at_one() -> None:
+    """Newton's law at the second wall is stated in numbers; e is put across as well."""
+    statement = (
+        "wall AB: along i\nwall BC: along j\nsphere P: velocity 8i - 6j\n"
+        "P hits AB: e = 1/3\nP hits BC: e = 3/4\nfind velocity(P)"
+    )
+    lines = "x: 3/4 × 8 = 6 to the left\ny: 3/4 × 2 = 1.5"
+    _, line = restitution.mark(restitution.parse(statement), lines).json()["lines"]
+    assert line["mistake"]["id"] == "across-changed"
+    assert line["mistake"]["leads_to"] == {"velocity(P)": "−6𝐢 + (3/2)𝐣"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from functools import cache
 
@@ -445,3 +446,34 @@ def test_a_value_may_stand_before_what_it_is_of() -> None:
     statement = FACING.replace("find speed(B)", "find angle(velocity(A), velocity(B))")
     assert verdicts(statement, "so 36.8° between") == ["true"]
     assert verdicts(statement, "so 63.3° between") == ["false"]
+
+
+SQUARE_CORNER = """wall AB: along i
+wall BC: along j
+sphere P: mass 2, velocity 5i - 4j
+P hits AB: e = 1/2
+P hits BC: e = 1/3
+find speed(P)"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *("into AB: 4", "away from AB: 1/2 × 4 = 2", "off AB 2, along AB 5", "towards BC 5"),
+        *("so away from BC 5/3", "away from the wall = 5/3", "out from AB: 2"),
+        *("perp² = 25/9", "perpendicular² = 25/9", "speed after² = 25/9 + 4"),
+        *("speed of P after squared = 25/9 + 4", "speed before² = 25 + 4", "parallel² = 4"),
+    ],
+)
+def test_ways_to_a_wall_are_labels_and_squares_stand_behind_words(line: str) -> None:
+    assert verdicts(SQUARE_CORNER, line) == ["true"]
+    *start, figure = re.split(r"(\d+)(?=\D*$)", line)[:2]
+    wrong = f"{start[0]}7{figure}"
+    assert verdicts(SQUARE_CORNER, wrong) == ["false"], wrong
+
+
+def test_a_vector_behind_a_body_is_where_it_has_come_to() -> None:
+    statement = LEVEL.replace("find velocity(A), velocity(B)", "find distance(A, B, at 3)")
+    right = "A: 3(1.5i + 3j) = (4.5, 9)\nA: (4.5, 9) B: (12, 6)\nA moves 4.5i + 9j\nB: 12i + 6j"
+    assert set(verdicts(statement, *right.splitlines())) == {"true"}
+    assert verdicts(statement, "A: (4.5, 8)") == ["false"]

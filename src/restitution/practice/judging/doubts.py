@@ -71,6 +71,7 @@ class Doubts:
         self.bench = bench
         self.script = script
         self.meanings = meanings
+        self.taken = frozenset[str]()  # the letters that are taken for what is asked
 
     def _judge(
         self,
@@ -199,7 +200,9 @@ class Doubts:
         return any(self._agree(meant, tree) for tree, _ in self.bench.wanted.asked)
 
     def _is_taken_for_asked(self, name: str, number: int) -> bool:
-        """Whether a letter is taken for the angle that is asked, as no line has that otherwise."""
+        """Whether a letter is taken for what is asked, as no line has that otherwise."""
+        if name in self.taken:
+            return True
         meaning = self.meanings.best.at(number)[name]
         asked = (tree for tree, _ in self.bench.wanted.asked)
         is_angle = kind_of(meaning.quantity) in ANGLES
@@ -337,12 +340,18 @@ class Doubts:
                 tried = false if meant in own else [line]
                 if not all(self._is_true_with_meaning(one, name, meant) for one in tried):
                     continue
-                if not self._is_turned(known[name], meant):
-                    return True
                 broken = sum(not self._is_true_with_meaning(one, name, meant) for one in true)
+                if not self._is_turned(known[name], meant):
+                    if broken > len(tried) and self._is_given(meant):
+                        continue  # nobody who uses it otherwise calls a datum by it
+                    return True
                 if broken < len(tried) or (broken == len(tried) and not is_named(line)):
                     return True
         return False
+
+    def _is_given(self, tree: Expression) -> bool:
+        """Whether a quantity is equal to one that the question gives in numbers."""
+        return any(self._agree(tree, quantity) for quantity, _ in self.bench.names.given)
 
     def _is_turned(self, own: Expression, other: Expression) -> bool:
         """Whether two angles are one, from either side of a line or its perpendicular."""

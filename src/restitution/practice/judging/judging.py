@@ -17,7 +17,6 @@ from itertools import chain, islice
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.evaluate import Angle
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Binary,
@@ -36,9 +35,9 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
+from restitution.practice.judging.asked_letters import AskedLetters
 from restitution.practice.judging.bench import Bench, bench_of, numbers
 from restitution.practice.judging.doubts import (
-    Doubts,
     are_of_one_mistake,
     is_named,
     names_in,
@@ -72,9 +71,6 @@ _SHORTER = 3
 """Of a script that takes more, this fraction is judged."""
 _MISREADINGS = 8
 _ALIKE = 0.05
-_OF_ANGLES = frozenset({"beta", "phi", "theta"})
-_RIGHT_ANGLE = Degrees(Fraction(90))
-_NEAR_DEGREES = 0.6
 _PLACES = 3
 """A datum stands in so many places, at most, that are tried."""
 
@@ -160,13 +156,14 @@ def _defined_otherwise(
             yield line.line.number
 
 
-class _Sitting(Doubts):
+class _Sitting(AskedLetters):
     """One script before the bench."""
 
     def first_lines(self) -> tuple[Judge, tuple[JudgedLine, ...]]:
         """The lines under the likeliest meanings of the letters."""
         judge_, lines = self._judged(self.script, self.meanings.best)
         judge_, lines = self._with_asked_angle(judge_, lines)
+        judge_, lines = self._with_asked_letters(judge_, lines)
         return self._with_letters_kept(*self._with_fewest_false(judge_, lines))
 
     def judgement(self, judge_: Judge, lines: tuple[JudgedLine, ...]) -> Judgement:
@@ -199,12 +196,6 @@ class _Sitting(Doubts):
             if meaning.letter in first or not is_phrase(meaning.letter):
                 yield meaning
 
-    def _judged(
-        self, script: Script, interpretation: Interpretation, *, names: bool = True
-    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
-        judge_ = self._judge(interpretation, names=names)
-        return judge_, judge_.judged(script)
-
     def _with_fewest_false(
         self, judge_: Judge, lines: tuple[JudgedLine, ...]
     ) -> tuple[Judge, tuple[JudgedLine, ...]]:
@@ -222,52 +213,6 @@ class _Sitting(Doubts):
                     self.meanings = replace(self.meanings, best=other)
                     return judge_too, again
         return judge_, lines
-
-    # --- the angle that is asked ------------------------------------------------------------------
-
-    def _with_asked_angle(
-        self, judge_: Judge, lines: tuple[JudgedLine, ...]
-    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
-        """The lines with a letter for the angle that is asked, where only its complement stands.
-
-        Nobody asks for the angle to the normal: ``tan β = 0.5/0.433`` is upside down, if no line
-        has the angle itself.
-        """
-        best = self.meanings.best
-        asked = [tree for tree, _ in self.bench.wanted.asked if kind_of(tree) == "angle"]
-        own = [
-            meaning
-            for meaning in best.meanings
-            if meaning.by == "inferred"
-            and meaning.letter in _OF_ANGLES
-            and len(asked) == 1
-            and self._agree(meaning.quantity, Binary("-", _RIGHT_ANGLE, asked[0]))
-            and not self._agree(meaning.quantity, asked[0])
-            and any(Letter(meaning.letter) in _sides_of(line.line) for line in lines)
-        ]
-        if len(own) != 1 or self._has_number_of(asked[0]):
-            return judge_, lines
-        meant = replace(own[0], quantity=asked[0], by="default")
-        meanings = tuple(meant if meaning is own[0] else meaning for meaning in best.meanings)
-        other = replace(best, meanings=meanings)
-        judge_too, again = self._judged(self.script, other)
-        if sum(line.verdict == "false" for line in again) > 1:
-            return judge_, lines
-        self.meanings = replace(self.meanings, best=other)
-        return judge_too, again
-
-    def _has_number_of(self, angle: Expression) -> bool:
-        """Whether a number of the script is what an angle is worth in degrees, or nearly."""
-        world = self.bench.worlds[0]
-        try:
-            value = world.value(angle)
-        except RestitutionError:
-            return True
-        if not isinstance(value, Angle):
-            return True
-        degrees = np.degrees(value.measure()).flat[0]
-        typed = [float(x) for line in self.script.lines for x in _values_in(line)]
-        return any(abs(number - degrees) < _NEAR_DEGREES for number in typed)
 
     # --- letters that keep their meanings -------------------------------------------------------
 
@@ -469,17 +414,6 @@ class _Sitting(Doubts):
             if worlds and self._judge(self.meanings.best, worlds).is_true(self.script):
                 return True
         return False
-
-
-def _sides_of(line: ScriptLine) -> Iterator[Expression]:
-    """The sides of the relations of a line."""
-    for link in line.links:
-        yield from (link.readings[0].left, link.readings[0].right)
-
-
-def _values_in(line: ScriptLine) -> Iterator[Fraction]:
-    """The numbers of a line, of a remark those seen in it."""
-    yield from numbers((*_sides_of(line), *line.values))
 
 
 def _of_one_line(best: Interpretation) -> tuple[Meaning, ...]:

@@ -69,6 +69,7 @@ from restitution.practice.judging.plain_mistakes import (
     plainly,
     sign_of_a_component,
 )
+from restitution.practice.judging.signs import OF_SIGNS, is_slip_of_sign
 from restitution.practice.judging.sizes import numbers_in, varying_size
 from restitution.practice.judging.slips import Correction, in_datum
 from restitution.practice.judging.squares import is_worth
@@ -147,6 +148,10 @@ class Names:
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
         variants = tuple(v for v in variants if not cannot_be(v, entry, judge.base))
+        of_signs = {variant.mistake for variant in variants} - _OF_SPEEDS
+        at_wall = any(variant.event.wall for variant in variants)  # there a sign is the law
+        if of_signs and of_signs <= OF_SIGNS and not (at_wall or self._is_of_impulse(entry)):
+            variants = () if is_slip_of_sign(entry, mended, judge.base) else variants
         if is_halved(entry):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:
@@ -261,8 +266,12 @@ class Names:
         """The altered laws that explain a claim where no slip does."""
         if entry.claim.sign != "=" or entry.claim.others:
             return ()
-        altered = {use.altered for use in judge.uses_of_entry(entry)}
-        by_states = [variant for variant in self.variants if variant.id in altered]
+        altered = {(use.altered, use.event) for use in judge.uses_of_entry(entry)}
+        by_states = [
+            variant
+            for variant in self.variants
+            if not altered.isdisjoint(((variant.id, variant.event.number), (variant.id, None)))
+        ]
         by_states = list(self._without_energy(by_states, judge.base))
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
@@ -351,7 +360,7 @@ class Names:
     def _is_of_impulse(self, entry: Entry) -> bool:
         """Whether a side of a claim is an impulse, or one that the question gives."""
         sides = (entry.claim.left, entry.claim.right)
-        given = [value for quantity, value in self._given if quantity.kind == "impulse"]
+        given = [value for quantity, value in self.given if quantity.kind == "impulse"]
         meant = entry.meanings.get(sides[0].name) if isinstance(sides[0], Letter) else None
         if given and meant is not None and kind_of(meant) == "velocity":
             # The velocity of one body, from its own and the impulse that is given.
@@ -384,7 +393,7 @@ class Names:
         )
 
     @cached_property
-    def _given(self) -> tuple[tuple[Quantity, Expression], ...]:
+    def given(self) -> tuple[tuple[Quantity, Expression], ...]:
         """The quantities that the question gives, with their values."""
         return tuple(
             (one, other)
@@ -408,7 +417,7 @@ class Names:
     def _with_given(self, entry: Entry) -> Iterator[Entry]:
         """A claim in which a side that the question gives stands for its quantity, on the left."""
         for one, other in permutations((entry.claim.left, entry.claim.right), 2):
-            for quantity, value in self._given:
+            for quantity, value in self.given:
                 if one == value:
                     yield replace(entry, claim=replace(entry.claim, left=quantity, right=other))
 

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
+from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.worlds.arrays import is_bare
@@ -36,6 +37,7 @@ from restitution.problem import Impact
 _TINY = 1e-9
 _TWO = Number(Fraction(2))
 _ONE = Number(Fraction(1))
+_OF_WHOLE_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component"})
 # What may be wrong in a component before an impact.
 _OF_COMPONENTS = frozenset({"sine-cosine", "angle-from-normal", "speed-for-component"})
 
@@ -190,7 +192,10 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
 
     A component that is given before an impact is not changed there; and where e is put across,
     each sphere keeps its component along the line: with one of zero an equation tells nothing.
+    Who adds two squares has components, and puts no whole speed into a law.
     """
+    if is_root_of_a_sum(entry.claim.right) and variant.mistake in _OF_WHOLE_SPEEDS:
+        return True
     meant = meant_by(entry)
     meant = unsigned(meant)
     match meant:

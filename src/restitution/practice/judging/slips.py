@@ -25,7 +25,9 @@ from restitution.expression.tree import (
     Number,
     Pi,
     Quantity,
+    Unit,
     children,
+    is_binary,
     letter_nodes,
     rational,
     walk,
@@ -104,14 +106,20 @@ def _signs(tree: Expression) -> Iterator[Edit]:
     match tree:
         case Binary("+", left, right):
             yield "sign", Binary("-", left, right), right, Negate(right)
-            if not isinstance(left, Negate | Binary):
+            if _is_first_term(left):
                 yield "sign", Binary("+", Negate(left), right), left, Negate(left)
         case Binary("-", left, right):
             yield "sign", Binary("+", left, right), right, right
-            if not isinstance(left, Negate | Binary):
+            if _is_first_term(left):
                 yield "sign", Binary("-", Negate(left), right), left, Negate(left)
         case Negate(operand):
             yield "sign", operand, tree, operand
+
+
+def _is_first_term(tree: Expression) -> bool:
+    """Whether the first of two terms may have lost its sign: a letter, or one along i or j."""
+    vector = is_binary(tree, "*") and isinstance(tree.right, Unit)
+    return vector or not isinstance(tree, Negate | Binary)
 
 
 def _turned(claim: Claim) -> Iterator[Correction]:

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in
+from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.entries import (
     Entry,
     Meanings,
@@ -271,7 +272,8 @@ class Judge(Unlabelled):
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
         uses, stated = self._uses(line, links) if self._names else ((), ())
-        if verdict == "true" and not all(self._is_known(link.claim) for link in links):
+        known = all(self._is_known(link.claim) for link in links)
+        if verdict == "true" and (not known or _is_e_times(links[0].claim, uses)):
             # A value rests on laws, and states none; nor does what is data alone.
             self._stated |= {
                 (use.principle, use.event, use.bodies)
@@ -393,7 +395,8 @@ class Judge(Unlabelled):
         worked = worked or self._is_worked_out(entry)
         if start == end or worked or not isinstance(first, Letter | Quantity):
             return explained
-        quoted = (not explained.variants or start < place) and not is_sum_of_angles(entry)
+        plain = is_sum_of_angles(entry) or is_root_of_a_sum(links[place].claim.right)
+        quoted = (not explained.variants or start < place) and not plain
         for link in links[place : end + 1] if quoted else ():
             whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
             other = self.naming.explained(whole, self)
@@ -673,6 +676,12 @@ class Judge(Unlabelled):
         meant = self._meanings_of(claim.left.name, event)
         same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
         return claim if own in meant or not same else replace(claim, left=same[0])
+
+
+def _is_e_times(claim: Claim, uses: Sequence[Use]) -> bool:
+    """Whether a product of numbers is the law of restitution in numbers: ``¾ × 8 = 6``."""
+    law = bool(uses) and uses[0].principle == "restitution"
+    return law and is_binary(claim.left, "*") and is_numeric(claim.left)
 
 
 def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:

@@ -10,7 +10,7 @@ from restitution.explaining.mistakes.consequences import altered_world
 from restitution.explaining.mistakes.misconceptions import alteration
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
-from restitution.practice.judgement import Judgement
+from restitution.practice.judgement import JudgedLine, Judgement
 from restitution.practice.judging.bench import bench_of
 from restitution.practice.judging.earlier_parts import judge_part
 from restitution.practice.letters.declaring import letters_from_mapping
@@ -153,17 +153,24 @@ def _with_consequence(judgement: Judgement, solution: Solution, part: str | None
         mistake = line.mistake
         if mistake is None or mistake.kind != "misconception" or not mistake.variants:
             continue
-        leads_to = _consequence(mistake.variants[0], solution, part)
+        leads_to = _consequence(mistake.variants[0], line, solution, part)
         explained = replace(line, mistake=replace(mistake, leads_to=leads_to))
         lines = (*judgement.lines[:place], explained, *judgement.lines[place + 1 :])
         return replace(judgement, lines=lines)
     return judgement
 
 
-def _consequence(variant: str, solution: Solution, part: str | None) -> Mapping[str, str]:
-    """The answers of a part in the world of a variant, by item; none where it has no world."""
+def _consequence(
+    variant: str, line: JudgedLine, solution: Solution, part: str | None
+) -> Mapping[str, str]:
+    """The answers of a part in the world of a variant, by item; none where it has no world.
+
+    The law is altered from the event on at which a line has it so: at earlier ones nothing was.
+    """
+    own = [use.event for use in line.uses if use.altered == variant and use.event is not None]
+    after = range(min(own), len(solution.problem.events) + 1) if own else None
     try:
-        world = altered_world(solution, alteration(variant), time_limit=_CONSEQUENCE)
+        world = altered_world(solution, alteration(variant), after, _CONSEQUENCE)
     except RestitutionError:
         return {}
     return {

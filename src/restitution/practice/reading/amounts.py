@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from restitution.practice.reading.bodies import places_of
 from restitution.problem import Problem
 
 _KE = r"(?:K\.?E\.?|Ek|(?:kinetic\s+)?energy)"
@@ -185,9 +186,10 @@ def share_of_before(match: re.Match[str], _: Problem) -> str:
 
 
 def goes_as(match: re.Match[str], problem: Problem) -> str:
-    """The velocity of a sphere, of ``A goes 3i + 3j``."""
-    spheres = {sphere.name for sphere in problem.spheres}
-    return f"velocity of {match[1]} = " if match[1] in spheres else match[0]
+    """The velocity of a sphere, of ``A goes 3i + 3j``, or where it has come to."""
+    if match[1] not in {sphere.name for sphere in problem.spheres}:
+        return match[0]
+    return f"{match[1]}: " if places_of(match[1], problem) else f"velocity of {match[1]} = "
 
 
 def vector_for(match: re.Match[str], problem: Problem) -> str:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from restitution.expression.tree import (
+    AtTime,
+    Binary,
     Expression,
     Letter,
     Name,
@@ -13,7 +17,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.reading.energy_lines import asks_energy
 from restitution.practice.reading.readings import Side
-from restitution.problem import Problem
+from restitution.problem import Find, Problem, trees_of_step
 
 
 def vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
@@ -42,8 +46,25 @@ def worths_of(body: str, value: Expression, problem: Problem) -> tuple[Side, ...
 
 
 def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:
-    """Where a sphere is at each event, if its place is known."""
-    if all(sphere.name != body or sphere.position is None for sphere in problem.spheres):
-        return ()
+    """Where a sphere is at each event, if its place is known.
+
+    Else it is where it has come to by a moment that is asked for, from where the spheres meet.
+    """
     stages = range(len(problem.events) + 1)
-    return tuple(Quantity("position", (Name(body),), stage) for stage in stages)
+    if any(sphere.name == body and sphere.position is not None for sphere in problem.spheres):
+        return tuple(Quantity("position", (Name(body),), stage) for stage in stages)
+    return tuple(
+        Binary("*", time, Quantity("velocity", (Name(body),), stage))
+        for time in _times_asked(body, problem)
+        for stage in reversed(stages[1:])
+    )
+
+
+def _times_asked(body: str, problem: Problem) -> Iterator[Expression]:
+    """The times at which the question asks how far a sphere is from another one."""
+    for _, step in problem.steps():
+        for tree in trees_of_step(step) if isinstance(step, Find) else ():
+            for node in walk(tree):
+                match node:
+                    case Quantity("distance", arguments, AtTime(time)) if Name(body) in arguments:
+                        yield time

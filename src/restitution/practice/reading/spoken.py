@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.reading import amounts, attributions, meetings, shares
+from restitution.practice.reading import amounts, attributions, meetings, shares, walls_in_words
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
@@ -335,7 +335,10 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
     (_DIRECTION_OF_IMPULSE, lambda _, __: "impulse is parallel to "),
-    (_SPEED_SQUARED, lambda match, _: f"{match[1]}^2"),
+    (_SPEED_SQUARED, lambda match, _: f"{match[1]} ^2"),
+    (walls_in_words.TO_A_WALL, walls_in_words.to_a_wall),
+    (walls_in_words.SQUARED_THEN, lambda match, _: f"{match[1]} ^2"),
+    (walls_in_words.SQUARED_WAY, lambda match, _: f"{match[1]} component ^2"),
     (_AXIS_BECOMES, lambda match, _: f"{match[1]} {match[2]} component after = "),
     (_TURNED, _turned),
     (_AXIS, lambda match, _: f" {match[1]} direction: "),

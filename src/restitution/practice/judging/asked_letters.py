@@ -1,0 +1,164 @@
+"""Letters that are taken for what a part asks, where the lines tell of nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    walk,
+)
+from restitution.practice.judgement import JudgedLine, Meaning
+from restitution.practice.judging.bench import numbers
+from restitution.practice.judging.certain_letters import asked_by_look, has_no_such_value
+from restitution.practice.judging.doubts import Doubts, names_in
+from restitution.practice.judging.other_forms import kind_of
+from restitution.practice.judging.verdicts import Judge
+from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.letters.options import staged
+from restitution.practice.letters.wordings import words_of
+from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.script import Script, ScriptLine
+
+_OF_ANGLES = frozenset({"beta", "phi", "theta"})
+_RIGHT_ANGLE = Degrees(Fraction(90))
+_NEAR_DEGREES = 0.6
+_UNDECIDED = frozenset({"asks", "unread", "remark"})
+
+
+class AskedLetters(Doubts):
+    """The letters of one script that are what its part asks."""
+
+    def _judged(
+        self, script: Script, interpretation: Interpretation, *, names: bool = True
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        judge_ = self._judge(interpretation, names=names)
+        return judge_, judge_.judged(script)
+
+    # --- letters for what is asked ----------------------------------------------------------------
+
+    def _with_asked_letters(
+        self, judge_: Judge, lines: tuple[JudgedLine, ...]
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines with letters for what is asked that have a value which nothing of the kind has.
+
+        So it is with ``t = 2/5`` where one time is asked: whatever time it is, the value is wrong.
+        """
+        best = self.meanings.best
+        taken = {name: tree for line in lines for name, tree in self._taken(line, lines)}
+        if not taken:
+            return judge_, lines
+        meant = tuple(
+            Meaning(name, tree, words_of(tree, self.bench.problem), "default")
+            for name, tree in taken.items()
+        )
+        kept = tuple(meaning for meaning in best.meanings if meaning.letter not in taken)
+        other = replace(best, meanings=(*kept, *meant), unknown=best.unknown - taken.keys())
+        judge_too, again = self._judged(self.script, other)
+        before, after = (
+            sum(line.verdict in verdicts for line in every)
+            for verdicts, every in ((("false", "asks"), lines), (("false", "asks"), again))
+        )
+        if after > before:
+            return judge_, lines
+        self.meanings = replace(self.meanings, best=other)
+        self.taken = frozenset(taken)
+        return judge_too, again
+
+    def _taken(
+        self, line: JudgedLine, lines: Sequence[JudgedLine]
+    ) -> Iterator[tuple[str, Expression]]:
+        """The letters of a line that are taken for what is asked, each with that."""
+        if line.verdict not in ("false", "asks"):
+            return
+        known = self.meanings.best.at(line.line.number)
+        worlds, problem = self.bench.worlds, self.bench.problem
+        asked = [staged(x, problem, self.bench.solved.part, n) for x, n in self.bench.wanted.asked]
+        true = {name for own in lines if own.verdict == "true" for name in names_in(own.line)}
+        for link in line.line.links:
+            match link.readings[0].left:
+                case Letter(name) if name not in true and not is_phrase(name):
+                    meaning = known.get(name)
+                case _:
+                    continue
+            meant = asked_by_look(name, link.readings[0].right, asked)
+            if meant is None or (meaning is not None and meaning.by != "inferred"):
+                continue
+            if _goes_on(link.readings[0].right, line, lines):
+                continue
+            candidates = self.bench.names.candidates(worlds[0])
+            if has_no_such_value(meant, link, candidates, worlds, line.line.scope):
+                yield name, meant
+
+    # --- the angle that is asked ------------------------------------------------------------------
+
+    def _with_asked_angle(
+        self, judge_: Judge, lines: tuple[JudgedLine, ...]
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines with a letter for the angle that is asked, where only its complement stands.
+
+        Nobody asks for the angle to the normal: ``tan β = 0.5/0.433`` is upside down, if no line
+        has the angle itself.
+        """
+        best = self.meanings.best
+        asked = [tree for tree, _ in self.bench.wanted.asked if kind_of(tree) == "angle"]
+        own = [
+            meaning
+            for meaning in best.meanings
+            if meaning.by == "inferred"
+            and meaning.letter in _OF_ANGLES
+            and len(asked) == 1
+            and self._agree(meaning.quantity, Binary("-", _RIGHT_ANGLE, asked[0]))
+            and not self._agree(meaning.quantity, asked[0])
+            and any(Letter(meaning.letter) in _sides_of(line.line) for line in lines)
+        ]
+        if len(own) != 1 or self._has_number_of(asked[0]):
+            return judge_, lines
+        meant = replace(own[0], quantity=asked[0], by="default")
+        meanings = tuple(meant if meaning is own[0] else meaning for meaning in best.meanings)
+        other = replace(best, meanings=meanings)
+        judge_too, again = self._judged(self.script, other)
+        if sum(line.verdict == "false" for line in again) > 1:
+            return judge_, lines
+        self.meanings = replace(self.meanings, best=other)
+        return judge_too, again
+
+    def _has_number_of(self, angle: Expression) -> bool:
+        """Whether a number of the script is what an angle is worth in degrees, or nearly."""
+        world = self.bench.worlds[0]
+        try:
+            value = world.value(angle)
+        except RestitutionError:
+            return True
+        if not isinstance(value, Angle):
+            return True
+        degrees = np.degrees(value.measure()).flat[0]
+        typed = [float(x) for line in self.script.lines for x in _values_in(line)]
+        return any(abs(number - degrees) < _NEAR_DEGREES for number in typed)
+
+
+def _goes_on(value: Expression, line: JudgedLine, lines: Sequence[JudgedLine]) -> bool:
+    """Whether a value goes on from one of a line above of which nothing is known."""
+    above = [x for x in lines if x.line.number < line.line.number and x.verdict in _UNDECIDED]
+    worked = {link.readings[0].right for x in above for link in x.line.links}
+    return any(node in worked for node in walk(value))
+
+
+def _sides_of(line: ScriptLine) -> Iterator[Expression]:
+    """The sides of the relations of a line."""
+    for link in line.links:
+        yield from (link.readings[0].left, link.readings[0].right)
+
+
+def _values_in(line: ScriptLine) -> Iterator[Fraction]:
+    """The numbers of a line, of a remark those seen in it."""
+    yield from numbers((*_sides_of(line), *line.values))

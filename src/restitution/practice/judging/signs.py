@@ -1,0 +1,70 @@
+"""Signs in values: where one of them is wrong, and no law is written with another sign."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    letters,
+)
+from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.slips import Correction
+from restitution.practice.judging.squares import is_worth
+from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+
+OF_SIGNS = frozenset({"momentum-sign", "restitution-sign"})
+
+
+def is_slip_of_sign(entry: Entry, mended: Sequence[Correction], world: World) -> bool:
+    """Whether a value is right but for a sign in it, and that is not of a term of a law.
+
+    In ``v = u(1 + 2e)/3`` no term is what a body has before an impact, as it is in
+    ``v = (6 - 3×2)/5``, or in a momentum.
+    """
+    left, right = entry.claim.left, entry.claim.right
+    if not isinstance(left, Letter | Quantity) or not letters(right) <= world.letters.keys():
+        return False
+    turned = [correction.part for correction in mended if correction.change == "sign"]
+    if not turned:
+        return False
+    sizes = tuple(_terms(world))
+    return not any(is_worth(part, entry, world, sizes) for part in turned if part != right)
+
+
+def _terms(world: World) -> Iterator[Array]:
+    """The sizes of the terms of laws at each impact, of what there is before it."""
+    for number, step in enumerate(world.events, 1):
+        if not isinstance(step, Impact):
+            continue
+        line = Quantity("line_of_centres", (), number)
+        bodies = [body for body in (step.first, step.second) if body in world.start]
+        along: list[Expression] = [
+            Quantity("along", (Quantity("velocity", (Name(body),), number - 1), line))
+            for body in bodies
+        ]
+        masses = [Quantity("mass", (Name(body),)) for body in bodies]
+        trees: list[Expression] = [
+            *along,
+            *(Binary("*", mass, part) for mass, part in product(masses, along)),
+        ]
+        coefficient = Quantity("restitution", (), number)
+        whole = Binary("-", along[0], along[1]) if len(along) == 2 else along[0]
+        trees += [Binary("*", coefficient, part) for part in (*along, whole)]
+        trees += [Binary("*", Binary("*", mass, coefficient), whole) for mass in masses]
+        for tree in trees:
+            try:
+                yield np.abs(world.spread(world.scalar(Apply("abs", tree))))
+            except RestitutionError:
+                continue

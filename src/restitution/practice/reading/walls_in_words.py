@@ -1,0 +1,35 @@
+"""Ways to a wall or off it as labels, and squares of what words name: ``perp² = 36``."""
+
+from __future__ import annotations
+
+import re
+
+from restitution.problem import Problem
+
+# What begins a value, and is no word of a sentence.
+_VALUE = (
+    r"(?=[-−(√\d½⅓⅔¼¾]"
+    r"|(?!(?:at|it|is|we|so|as|by|in|on|to|an?|he|if|of)\b)(?:[a-z]{1,2}\b|[a-zA-Z]{0,3}(?:sin|cos)))"
+)
+TO_A_WALL = re.compile(
+    r"(^|[,;]|\b(?:so|and)\b)\s*"
+    r"(?:(away\s+from|out\s+from|out\s+of|off)|into|towards?|onto)\s+(?:the\s+)?"
+    r"(wall|cushion|[A-Z]\w{0,2})\s*[:=]?\s*" + _VALUE
+)
+SQUARED_THEN = re.compile(
+    r"\b(after|before|afterwards|initially|finally)(?:\s*(?:\^\s*2|²)|\s+squared\b)(?=\s*[=:])"
+)
+SQUARED_WAY = re.compile(
+    r"(?<![\w])(perp(?:endicular)?|parallel|para?|normal|along|across)(?:\s*(?:\^\s*2|²)|\s+squared\b)"
+    r"(?=\s*[=:])",
+    re.IGNORECASE,
+)
+
+
+def to_a_wall(match: re.Match[str], problem: Problem) -> str:
+    """The component into a wall before, or away from it after."""
+    names = {wall.name for wall in problem.walls}
+    known = match[3] in names or (bool(names) and match[3] in ("wall", "cushion"))
+    stage = "after" if match[2] else "before"
+    wall = match[3] if match[3] in names else f"the {match[3]}"
+    return f"{match[1]} perpendicular to {wall} {stage}: " if known else match[0]
