@@ -28,6 +28,47 @@ find range of k
             "k > ⅘",
         ),
     ),
+    "a scalar product that is negative": (
+        """
+sphere A: mass m, velocity u (cos(alpha) i + sin(alpha) j)
+sphere B: mass k m, at rest
+A hits B: along i, e = 2/3
+given tan(alpha) = 1/3
+given dot(velocity(A), velocity(A, 0)) < 0
+find range of k
+""",
+        ("(√10 u/10)(√10 u/10) < 0", "2 − k < 0, as 1 + k > 0", "k > 2"),
+    ),
+    "a scalar product at a wall": (
+        """
+wall W: along i
+sphere P: mass m, velocity 3u i - 4u j
+P hits W
+given dot(velocity(P), velocity(P, 0)) > 0
+find range of e
+""",
+        ("3u × 3u − 4eu × 4u > 0", "9 − 16e > 0", "0 ≤ e < 9/16"),
+    ),
+    "a scalar product of two spheres": (
+        """
+sphere A: mass 2m, velocity 3u i + u j
+sphere B: mass 3m, velocity -u i + 3u j
+A hits B: along i
+given dot(velocity(A), velocity(B)) < 3u^2
+find range of e
+""",
+        ("(3(1 − 4e)u/5)((3 + 8e)u/5) + u × 3u < 3u²", "e > ¼"),
+    ),
+    "a scalar product with a vector": (
+        """
+wall W: along i + 2j
+sphere P: mass m, velocity 4i - 3j
+P hits W
+given dot(velocity(P), 3i + j) <= -7
+find range of e
+""",
+        ("−(2(1 + 11e)/5) × 3 + (11e − 4)/5 ≤ −7", "5/11 ≤ e ≤ 1"),
+    ),
     "a direction": (
         """
 sphere A: mass 1, velocity 4i + 3j

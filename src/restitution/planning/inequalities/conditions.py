@@ -47,6 +47,7 @@ from restitution.planning.inequalities.bounds_by_cotangents import write_by_cota
 from restitution.planning.inequalities.bounds_with_roots import collected
 from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
 from restitution.planning.inequalities.conditions_shown import write_shown
+from restitution.planning.inequalities.given_products import write_given_product
 from restitution.planning.inequalities.multiplied_out import multiplied_out
 from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
 from restitution.planning.inequalities.squares import (
@@ -191,7 +192,7 @@ class Conditions:
                     # What divides in the tangent may have either sign: then it is no answer yet.
                     falling = self._by_cotangent(fact, link) if number == condition[0] else None
                     return number if falling is None else self.finished(*falling, wanted)
-        bounded = self._by_cotangent(fact, link)
+        bounded = self._by_cotangent(fact, link) or write_given_product(self.worths, fact, link)
         if bounded is not None:
             return self.finished(*bounded, wanted)
         if (ratio := write_by_a_ratio(self.worths, fact, link)) is not None:
