@@ -23,8 +23,10 @@ given deflection(A) > 30°
 find range of k
 """,
         (
-            "Cotangent of the angle between two velocities = their scalar product ÷ size of their",
-            "cot δ < √3, as 30° < δ ≤ 180°",
+            "− 30° > 30°",
+            "> 60°",
+            "= √3(2 − k)/(2(1 + k))",
+            "√3(2 − k)/(2(1 + k)) < √3/3",
             "k > ⅘",
         ),
     ),
@@ -68,6 +70,88 @@ given dot(velocity(P), 3i + j) <= -7
 find range of e
 """,
         ("−(2(1 + 11e)/5) × 3 + (11e − 4)/5 ≤ −7", "5/11 ≤ e ≤ 1"),
+    ),
+    "a deflection beside an angle in degrees": (
+        """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, at rest
+A hits B: along i
+given deflection(A) < 20°
+find range of e
+""",
+        (
+            "β − 60° < 20°",
+            "β < 80°",
+            "tan β < tan 80°, as 0° ≤ β ≤ 90°",
+            "2√3/(1 − e) < tan 80°",
+            "0 ≤ e < 0.389, as e cannot be negative, to 3 s.f.",
+        ),
+    ),
+    "a deflection at a wall beside an angle in degrees": (
+        """
+wall W: along i
+sphere P: velocity u at 50° to W
+P hits W
+given deflection(P) > 70°
+find range of e
+""",
+        ("β > 20°", "e tan 50° > tan 20°", "0.305 < e ≤ 1, as e cannot exceed 1, to 3 s.f."),
+    ),
+    "a deflection at a wall beside an angle by components": (
+        """
+wall W: along i
+sphere P: velocity 3i - 4j
+P hits W
+given deflection(P) > 70°
+find range of e
+""",
+        (
+            "θ > 70° − 53.13°",
+            "tan θ > tan 16.87°, as 0° ≤ θ ≤ 90°",
+            "4e/3 > 0.3032",
+            "0.227 < e ≤ 1, as e cannot exceed 1, to 3 s.f.",
+        ),
+    ),
+    "a deflection of a sphere beside an angle by components": (
+        """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 1, at rest
+A hits B: along i
+given deflection(A) <= 15°
+find range of e
+""",
+        ("β ≤ 15° + 53.13°", "4/(2 − e) ≤ 2.491", "0 ≤ e ≤ 0.394, as e cannot be negative"),
+    ),
+    "a deflection at a wall beside an angle of a given tangent": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+given tan(alpha) = 2
+P hits W
+given deflection(P) > 80°
+find range of e
+""",
+        ("β > 80° − 63.43°", "2e > 0.2974", "0.149 < e ≤ 1"),
+    ),
+    "an obtuse deflection": (
+        """
+sphere A: mass 2, velocity 4i + j
+sphere B: mass 3, velocity -i + 2j
+A hits B: along i
+given deflection(A) > 130°
+find range of e
+""",
+        ("> 130° + 14.04°", "= 1 − 3e", "< cot 144.0°", "1 − 3e < −1.378", "0.793 < e ≤ 1"),
+    ),
+    "an angle that may be obtuse": (
+        """
+sphere A: mass m, velocity u at 30°
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+given angle(velocity(A), i) > 60°
+find range of k
+""",
+        ("cot β < √3/3, as 60° < β ≤ 180°", "√3(2 − k)/(2(1 + k)) < √3/3", "k > ⅘, as 1 + k > 0"),
     ),
     "a direction": (
         """

@@ -51,6 +51,7 @@ from restitution.workings.naming.figures import (
     FIGURES_BETWEEN,
     Figures,
     angles_in_figures,
+    bound_in_figures,
     degrees_of,
     has_plain_angles,
     is_figures,
@@ -220,7 +221,7 @@ class Chains:
             if self._figures.with_calculator and angles[n - 1] and angles[n] - angles[n - 1]
         ]
         signs = [
-            "≈" if in_figures & {n, n - 1} - {0} else sign_of(link)
+            "≈" if link.sign == "=" and in_figures & {n, n - 1} - {0} else sign_of(link)
             for n, link in enumerate(links, 1)
         ]
         signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
@@ -392,6 +393,8 @@ class Chains:
         for n, link in enumerate(() if plain else links, 1):
             if link.sign in ("=", "≈"):
                 trees[n] = self._side_in_figures(line, trees, n, worked)
+            elif calculated:
+                trees[n] = bound_in_figures(trees[n])
         if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])

@@ -73,7 +73,7 @@ def _in_numbers(scene: Scene, turned: sp.Expr, early: Term) -> int | None:
     """
     angle = scene.desk.meant(early.angle)
     rest = turned - sp.atan(scene.scalar(early.tangent))
-    if rest.free_symbols or not _is_for_a_calculator(scene):
+    if rest.free_symbols or not is_for_a_calculator(scene):
         return None
     if tidy(tangent_of_angle(rest)).is_Rational:
         return None
@@ -81,7 +81,7 @@ def _in_numbers(scene: Scene, turned: sp.Expr, early: Term) -> int | None:
     return angle_line(scene, angle)
 
 
-def _is_for_a_calculator(scene: Scene) -> bool:
+def is_for_a_calculator(scene: Scene) -> bool:
     """Whether velocities are numbers, and the question has no roots: decimals are expected."""
     facts = [fact for fact in scene.facts.values() if fact.kind != "geometry"]
     velocities = [fact.relation for fact in facts if fact.id.startswith("velocity")]

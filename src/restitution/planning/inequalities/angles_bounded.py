@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+)
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
-    RIGHT_ANGLE,
     Apply,
     Degrees,
+    Expression,
     Letter,
     Quantity,
     is_function,
 )
-from restitution.planning.angles.turn_lines import meeting
-from restitution.planning.angles.wall_turns import sum_at_a_wall
+from restitution.planning.angles.turn_lines import (
+    meeting,
+)
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, tree_of
-from restitution.planning.writing.inequalities import without_signs
+from restitution.planning.writing.inequalities import linear_in, without_signs
 from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 
 Bounded = tuple[int, Sign, sp.Expr]
 """A line that says an inequality of letters, its sign, and what is compared with 0 by it."""
@@ -34,10 +44,7 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     None where it is open whether the angle is acute, or nothing is left to be compared.
     """
     assert isinstance(link.right, Degrees)
-    judge, mark = worths.judge, worths.mark()
-    if (beside := _beside_a_known_angle(worths, fact, link, angle)) is not None:
-        return beside
-    worths.back(mark)
+    mark = worths.mark()
     try:
         line = worths.angle(angle)
         own = worths.scene.desk.last_link(line)
@@ -47,87 +54,82 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     except NotPlannedError:
         worths.back(mark)
         return None
-    tangent, right = Apply("tan", letter), worths.scene.desk.last_link(line).right
-    value, bound = worths.value(right), _tangent_of(link.right)
+    own_bound = Bound(fact.id, letter, link.sign, link.right)
+    bounded = by_tangents(worths, own_bound, line, extent)
+    if bounded is None:
+        worths.back(mark)
+    return bounded
+
+
+@dataclass(frozen=True)
+class Bound:
+    """That an angle, by its letter, is more or less than another one, as a premise says."""
+
+    ref: Ref
+    letter: Expression
+    sign: Sign
+    end: Expression
+
+
+def by_tangents(worths: Worths, bound: Bound, line: int, extent: tuple[Ref, ...]) -> Bounded | None:
+    """The bound of an angle as one of its tangent, which a line gives, in letters.
+
+    Where the bound is a sum with an inverse tangent, its own tangent is a number like a letter.
+    """
+    judge, in_degrees = worths.judge, isinstance(bound.end, Degrees)
+    tangent, right = Apply("tan", bound.letter), worths.scene.desk.last_link(line).right
+    value, most = worths.value(right), tidy(sp.tan(worths.scene.scalar(bound.end)))
+    most = most if in_degrees else sp.Symbol(BOUND, positive=True)
     known = worths.known_in(value)
-    pool: list[Ref] = [fact.id, *extent]
+    pool: list[Ref] = [bound.ref, *extent]
     if not _is_at_most_a_right_angle(extent):
         met = meeting(worths.scene)
         acute = judge.write(
-            (Move("sign"),), [line, *known, *met], _relation(Link(tangent, ">", ZERO))
+            (Move("sign"),), [line, *known, *met], relation_of(Link(tangent, ">", ZERO))
         )
         pool += [] if acute is None else [acute]
-    limit = tree_of(bound)
-    stripped = without_signs(worths.scene, expanded(value - bound), link.sign)
-    compared = judge.write((Move("compare"),), pool, _relation(Link(tangent, link.sign, limit)))
+    limit = tree_of(most) if in_degrees else Apply("tan", bound.end)
+    stripped = without_signs(worths.scene, expanded(value - most), bound.sign)
+    compared = judge.write((Move("compare"),), pool, relation_of(Link(tangent, bound.sign, limit)))
     if compared is None or stripped is None:
-        worths.back(mark)
         return None
-    put = judge.write((Move("put"),), [compared, line], _relation(Link(right, link.sign, limit)))
-    if put is None:
-        worths.back(mark)
-        return None
-    sign, x = stripped
-    return put, sign, x
+    put = judge.write((Move("put"),), [compared, line], relation_of(Link(right, bound.sign, limit)))
+    if put is None or in_degrees:
+        return None if put is None else (put, *stripped)
+    return solved_with(worths, put, stripped, limit)
 
 
-def _beside_a_known_angle(
-    worths: Worths, fact: Fact, link: Link, angle: Quantity
+def solved_with(
+    worths: Worths, line: int, stripped: tuple[Sign, sp.Expr], limit: Expression
 ) -> Bounded | None:
-    """The tangent of the other angle of a deflection at a wall, where one is a number of degrees.
-
-    That is taken from the bound first: 45° + β ≤ 60°, so β ≤ 15°. None of any other deflection.
-    """
-    scene, judge = worths.scene, worths.judge
-    if angle.kind != "deflection" or angle.stage not in scene.model.frames:
-        return None
-    try:
-        worths.determine_angle(angle)
-        own = sum_at_a_wall(scene, angle, scene.frame(int(str(angle.stage))))
-    except NotPlannedError:
-        return None
-    if own is None or not isinstance(own[1][0].angle, Degrees):
-        return None
-    number, (before, after) = own
-    assert isinstance(link.right, Degrees)
-    rest = Degrees(link.right.value - before.angle.value)  # type: ignore[union-attr]
-    if not 0 < rest.value < RIGHT_ANGLE.value:
-        return None
-    names = {
-        e.name for e in (after.angle, scene.desk.last_link(number).left) if isinstance(e, Letter)
-    }
-    lets = scene.desk.introducing(names)
-    whole = scene.desk.last_link(number).right
-    first = judge.write(
-        (Move("put"), Move("compare")),
-        [fact.id, number, *lets],
-        _relation(Link(whole, link.sign, link.right)),
-    )
-    less = first and judge.write(
-        (Move("rearrange"),), [first], _relation(Link(after.angle, link.sign, rest))
-    )
-    if not less:
-        return None
-    tangent, limit = Apply("tan", after.angle), tree_of(_tangent_of(rest))
-    standing = next(ref for ref in after.refs if isinstance(ref, int))
-    _, _, extent = worths.lettered(standing, after.angle)
-    compared = judge.write(
-        (Move("compare"),), [less, *extent], _relation(Link(tangent, link.sign, limit))
-    )
-    value = worths.value(after.tangent)
-    stripped = without_signs(scene, expanded(value - _tangent_of(rest)), link.sign)
-    put = compared and judge.write(
-        (Move("put"),), [compared, *after.refs], _relation(Link(after.tangent, link.sign, limit))
-    )
-    return None if not put or stripped is None else (put, *stripped)
+    """An inequality with the ratio of a sum of angles in it, by the line that is solved for it."""
+    known = worths.known_in(stripped[1])
+    last = _solved(worths.scene, *stripped, limit)
+    moves = (Move("rearrange"),)
+    after = last and worths.judge.write(moves, [line, *known], relation_of(last))
+    return (after, *stripped) if after else None
 
 
-def _relation(link: Link) -> Relation:
+def _solved(scene: Scene, sign: Sign, x: sp.Expr, limit: Expression) -> Link | None:
+    tangent = next((e for e in x.free_symbols if e.name == BOUND), None)
+    symbols = [symbol for symbol in x.free_symbols if symbol != tangent]
+    form = linear_in(x, symbols[0], angle=False) if len(symbols) == 1 else None
+    if form is None:
+        return None
+    tree, _, slope, rest = form
+    size = sp.N(slope.subs(tangent, scene.scalar(limit)))
+    own = sign if size > 0 else FLIPPED[sign]
+    right = tree_of(sp.apart(tidy(-rest / slope), tangent))
+    return Link(tree, own, exchanged(right, {Letter(BOUND): limit}))
+
+
+# Stands for the ratio of a bound that is a sum, while an inequality is solved.
+BOUND = "_bound"
+
+
+def relation_of(link: Link) -> Relation:
+    """A relation of one link."""
     return Relation(((link,),))
-
-
-def _tangent_of(angle: Degrees) -> Any:
-    return tidy(sp.tan(sp.Rational(angle.value.numerator, angle.value.denominator) * sp.pi / 180))
 
 
 def _is_at_most_a_right_angle(extent: tuple[Ref, ...]) -> bool:

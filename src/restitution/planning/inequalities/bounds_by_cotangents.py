@@ -14,19 +14,31 @@ from restitution.explaining.lines.derivation import (
     Move,
     Ref,
     Relation,
+    Sign,
     equality,
 )
-from restitution.expression.tree import Apply, Binary, Letter, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Quantity,
+    Unit,
+    unsigned,
+)
+from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.cotangents import write_ratio_of
 from restitution.planning.formulas.angle_formulas import deflection_formula
-from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import body_and_stage, in_the_plane
-from restitution.planning.inequalities.angles_bounded import Bounded
+from restitution.planning.inequalities.angles_bounded import BOUND, Bound, Bounded, solved_with
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.desk import NotPlannedError, together
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.inequalities import without_signs
 from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
 
 
 def write_by_cotangent(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded | None:
@@ -45,11 +57,13 @@ def write_by_cotangent(worths: Worths, fact: Fact, link: Link, angle: Quantity) 
 
 
 def _written(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded | None:
-    scene, judge = worths.scene, worths.judge
+    scene = worths.scene
     limit = tidy(sp.cot(scene.scalar(link.right)))
     if link.sign not in FLIPPED or limit.has(sp.zoo):
         return None
     sign = FLIPPED[link.sign]
+    if angle.kind == "angle":
+        return by_cotangents(worths, Bound(fact.id, angle, link.sign, link.right), angle)
     worths.determine(Quantity("velocity", angle.arguments, angle.stage))
     letter, let = letter_of(scene, angle)
     pool: list[Ref] = [fact.id, let]
@@ -65,17 +79,63 @@ def _written(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded
         pool.append(f"0° <= {letter} <= 180°")
     if line is None:
         return None
-    right = scene.desk.last_link(line).right
-    cotangent, bound = Apply("cot", Letter(letter)), tree_of(limit)
+    return _compared(worths, pool, line, letter, (sign, limit, tree_of(limit)))
+
+
+def _compared(
+    worths: Worths,
+    pool: Sequence[Ref],
+    line: int,
+    letter: str,
+    bound: tuple[Sign, sp.Expr, Expression],
+) -> Bounded | None:
+    """A bound of a cotangent by that of its angle, and the same in letters."""
+    judge, (sign, limit, end) = worths.judge, bound
+    right = worths.scene.desk.last_link(line).right
+    cotangent = Apply("cot", Letter(letter))
     compared = judge.write(
-        (Move("compare"),), [*pool, line], Relation(((Link(cotangent, sign, bound),),))
+        (Move("compare"),), [*pool, line], Relation(((Link(cotangent, sign, end),),))
     )
-    value = worths.value(right)
-    stripped = without_signs(scene, expanded(value - limit), sign)
+    stripped = without_signs(worths.scene, expanded(worths.value(right) - limit), sign)
     if compared is None or stripped is None:
         return None
-    put = judge.write((Move("put"),), [compared, line], Relation(((Link(right, sign, bound),),)))
-    return None if put is None else (put, *stripped)
+    put = judge.write((Move("put"),), [compared, line], Relation(((Link(right, sign, end),),)))
+    if put is None or limit.is_number:
+        return None if put is None else (put, *stripped)
+    return solved_with(worths, put, stripped, end)
+
+
+def by_cotangents(worths: Worths, bound: Bound, angle: Quantity) -> Bounded | None:
+    """The bound of an angle to **i** or **j** as one of its cotangent, which falls up to 180°.
+
+    None where its tangent is no quotient, as that of an angle to a line is not.
+    """
+    scene = worths.scene
+    limit = tidy(sp.cot(scene.scalar(bound.end)))
+    shown = tree_of(limit)
+    if not isinstance(bound.end, Degrees):
+        limit, shown = sp.Symbol(BOUND, real=True), Apply("cot", bound.end)
+    if not any(isinstance(unsigned(side), Unit) for side in angle.arguments) or limit.has(sp.zoo):
+        return None
+    worths.determine_angle(angle)
+    letter, let = letter_of(scene, angle)
+    line = cotangent_line(scene, angle, letter, let)
+    if line is None or bound.sign not in FLIPPED:
+        return None
+    pool = [bound.ref, let, f"0° <= {letter} <= 180°"]
+    return _compared(worths, pool, line, letter, (FLIPPED[bound.sign], limit, shown))
+
+
+def cotangent_line(scene: Scene, angle: Quantity, letter: str, let: Ref) -> int | None:
+    """The line of the cotangent of an angle of which the tangent is defined by a quotient."""
+    own = formula(scene, angle)
+    match own.right:
+        case Binary("/", above, below):
+            value = tidy(1 / sp.sympify(own.value, strict=True))
+            ratio, turned_over = Apply("cot", Letter(letter)), Binary("/", below, above)
+            refs = together(own.refs, (let,))
+            return ratio_line(scene, own.move, refs, ratio, turned_over, value)
+    return None
 
 
 def _side(worths: Worths, angle: Quantity, pool: Sequence[Ref], up: sp.Expr) -> int | None:
@@ -109,4 +169,4 @@ def _cotangent_of_deflection(worths: Worths, angle: Quantity, letter: str, let: 
     return worths.judge.write(moves, [line, *known], last) or line
 
 
-__all__ = ["write_by_cotangent"]
+__all__ = ["by_cotangents", "cotangent_line", "write_by_cotangent"]

@@ -65,6 +65,7 @@ from restitution.planning.inequalities.standard_conditions import (
     is_linear,
 )
 from restitution.planning.inequalities.standing_ratios import write_by_a_ratio
+from restitution.planning.inequalities.turns_bounded import write_beside_a_known_angle
 from restitution.planning.inequalities.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import together
@@ -185,13 +186,22 @@ class Conditions:
             case Quantity(kind) as angle, Degrees(value) if (
                 kind in UNSIGNED_ANGLES and 0 < value < 90
             ):
-                bounded = write_bounded(self.worths, fact, link, angle)
+                bounded = write_beside_a_known_angle(self.worths, fact, link, angle)
+                bounded = bounded or write_bounded(self.worths, fact, link, angle)
+                if bounded is not None and self._is_solved(bounded[0]):
+                    return bounded[0]
                 if bounded is not None:
                     condition = both_squared(self.worths, *bounded)
                     number = self.finished(*condition, wanted)
                     # What divides in the tangent may have either sign: then it is no answer yet.
                     falling = self._by_cotangent(fact, link) if number == condition[0] else None
                     return number if falling is None else self.finished(*falling, wanted)
+            case Quantity("deflection") as angle, Degrees():
+                bounded = write_beside_a_known_angle(self.worths, fact, link, angle)
+                if bounded is not None and self._is_solved(bounded[0]):
+                    return bounded[0]
+                if bounded is not None:
+                    return self.finished(*bounded, wanted)
         bounded = self._by_cotangent(fact, link) or write_given_product(self.worths, fact, link)
         if bounded is not None:
             return self.finished(*bounded, wanted)
@@ -226,6 +236,8 @@ class Conditions:
             case Quantity("deflection" | "direction", (Name(),), int()) as angle, (
                 Degrees() | Negate(Degrees())
             ):
+                return write_by_cotangent(self.worths, fact, link, angle)
+            case Quantity("angle", (Quantity("velocity"), _)) as angle, Degrees():
                 return write_by_cotangent(self.worths, fact, link, angle)
         return None
 
@@ -540,6 +552,11 @@ class Conditions:
         if line is not None:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
+
+    def _is_solved(self, line: int) -> bool:
+        """Whether a line bounds a letter by a number."""
+        link = self.scene.desk.last_link(line)
+        return isinstance(link.left, Letter) and not letters(link.right)
 
     def _is_one_factor(self, line: int) -> bool:
         """Whether a line says the sign of something that is linear in a letter."""

@@ -19,14 +19,13 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.cotangents import cotangent_of, write_ratio_of
-from restitution.planning.formulas.named_angles import letter_of, ratio_line
+from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.velocity_formulas import body_and_stage, in_the_plane
+from restitution.planning.inequalities.bounds_by_cotangents import cotangent_line
 from restitution.planning.inequalities.comparing import Comparing
-from restitution.planning.writing.desk import NotPlannedError, Source, together
+from restitution.planning.writing.desk import NotPlannedError, Source
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.scene import Scene
 
 
 def write_of_direction(
@@ -118,7 +117,7 @@ def write_of_wide_angle(
             claims.worths.back(mark)
             claims.worths.determine_angle(angle)
             letter, let = letter_of(scene, angle)
-            line = _cotangent(scene, angle, letter, let)
+            line = cotangent_line(scene, angle, letter, let)
     except NotPlannedError:
         claims.worths.back(mark)
         return None
@@ -137,18 +136,6 @@ def write_of_wide_angle(
             if last is not None:
                 return last
     claims.worths.back(mark)
-    return None
-
-
-def _cotangent(scene: Scene, angle: Quantity, letter: str, let: Ref) -> int | None:
-    """The line of the cotangent of an angle of which the tangent is defined by a quotient."""
-    own = formula(scene, angle)
-    match own.right:
-        case Binary("/", above, below):
-            value = tidy(1 / sp.sympify(own.value, strict=True))
-            ratio, turned_over = Apply("cot", Letter(letter)), Binary("/", below, above)
-            refs = together(own.refs, (let,))
-            return ratio_line(scene, own.move, refs, ratio, turned_over, value)
     return None
 
 

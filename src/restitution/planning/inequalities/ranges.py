@@ -38,6 +38,7 @@ from restitution.planning.inequalities.angles_at_ends import (
     write_at_ends,
 )
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.ends_in_degrees import with_ends_of_lines
 from restitution.planning.routes.determining import determine
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.angles import RIGHT
@@ -59,6 +60,8 @@ def write_range(
 ) -> None:
     """Writes the lines of a range, of which the last says all its ends."""
     with Claims(scene, solver) as claims:
+        if not shown:
+            relation = with_ends_of_lines(claims, asked, relation) or relation
         standing = None if shown else claims.standing_of_letter(relation)
         if standing is not None:
             line, _ = standing

@@ -17,7 +17,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import significant
-from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Derivation, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     EXACT_ANGLE,
@@ -93,7 +93,7 @@ def is_with_calculator(derivation: Derivation) -> bool:
     """
     relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
     trees = [tree for relation in relations for tree in relation.trees]
-    if is_by_calculator(trees):
+    if is_by_calculator(trees) or any(map(_is_bound_by_a_sum, relations)):
         return True
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
     velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity"))
@@ -116,6 +116,18 @@ def _is_of_long_roots(relation: Relation) -> bool:
             if tangent and any(is_of_nested_roots(node, True) for node in nodes):
                 return True
     return False
+
+
+def _is_bound_by_a_sum(relation: Relation) -> bool:
+    """Whether an inequality has the ratio of a sum of angles in it: tan(70° − arctan(4/3))."""
+    return any(link.sign in FLIPPED for link in relation.options[0]) and any(
+        map(_has_ratio_of_a_sum, relation.trees)
+    )
+
+
+def _has_ratio_of_a_sum(tree: Expression) -> bool:
+    """Whether the ratio of a sum of angles in degrees stands in a value."""
+    return any(is_sum_with_inverse(ratio.argument) for ratio in _ratios_of_numbers(tree))
 
 
 def _has_odd_multiples(trees: Iterable[Expression]) -> bool:
@@ -210,7 +222,12 @@ class Figures:
     def is_carried(self, tree: Expression) -> bool:
         """Whether a working goes on with the figures of a value, and not with the value."""
         return self._is_long(tree) or (
-            self.with_calculator and (self._is_number_of_several(tree) or self._is_awkward(tree))
+            self.with_calculator
+            and (
+                self._is_number_of_several(tree)
+                or self._is_awkward(tree)
+                or _has_ratio_of_a_sum(tree)
+            )
         )
 
     def note(self, tree: Expression) -> None:
@@ -469,6 +486,20 @@ def angles_in_figures(tree: Expression) -> Expression:
         if degrees_of(put, FIGURES_OF_ANSWERS) == answer:
             return put
     return tree
+
+
+def bound_in_figures(tree: Expression) -> Expression:
+    """A bound with the degrees of each sum of angles: 70° − 53.13°, and below it tan 16.87°."""
+
+    def change(own: Expression) -> Expression:
+        match own:
+            case Apply(name, angle) if name in _RATIOS and is_sum_with_inverse(angle):
+                return Apply(name, degrees_of(angle) or angle)
+        return own
+
+    if is_sum_with_inverse(tree):
+        return angles_in_figures(tree)
+    return swept(rebuilt(tree, change)) if any(map(is_inverse, walk(tree))) else tree
 
 
 def _by_degrees(tree: Expression) -> Expression:

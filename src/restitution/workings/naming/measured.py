@@ -446,7 +446,8 @@ def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:
     shown = lay.display(value, angle=angle)
     if isinstance(shown, lay.Relation):
         return shown.operands[-1]
-    return None
+    # Of a long number nothing but the decimal is shown.
+    return shown if value.is_number and shown != lay.from_sympy(value, degrees=angle) else None
 
 
 def _is_rounded_alone(value: Any, shown: lay.Layout, tree: Expression) -> bool:
