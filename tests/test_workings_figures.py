@@ -476,3 +476,23 @@ def test_products_of_cosines_that_sympy_cannot_join_are_no_error() -> None:
         "A hits B: along i\ngiven speed(A) = 4\nfind e"
     )
     assert "e ≈ 0.5255 or e ≈ −0.5923" in text
+
+
+def test_a_sum_in_a_letter_has_its_coefficients_in_figures() -> None:
+    text = checked(
+        "wall W: along i\nwall V: along 75°\nsphere P: velocity 8 at -52°\nP hits W: e = e\n"
+        "P hits V: e = 1/2\ngiven energy(P) = 1/4 energy(P, 0)\nfind e"
+    )
+    assert "4.757 − 1.632e" in text  # 8 cos 52° sin 75°, 8 sin 52° cos 75°
+    assert "9.436e² + 2.911e − 2.179 ≈ 0" in text
+    assert "cos² 52°" not in text
+
+
+def test_a_multiple_of_one_cosine_stays_exact() -> None:
+    """Only where several cosines stand in a sum nobody reads it."""
+    text = checked(
+        "sphere A: mass 3, velocity 5 at 40°\nsphere B: mass 0.4, at rest\nA hits B: along i\n"
+        "find along(velocity(A), i), speed(B)"
+    )
+    assert "(5/17)(15 − 2e) cos 40°" in text
+    assert "(75/17)(1 + e) cos 40°" in text

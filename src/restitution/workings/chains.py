@@ -300,15 +300,10 @@ class Chains:
         for n in idle:
             self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
         rounded = is_plain(sides[-2]) or is_multiple(sides[-2])
-        if (
-            signs[-2:] == ["=", "≈"]
-            and is_vector(links[0].left)
-            and line.move.id == "rearrange"
-            and has_plain_angles(trees[-1])
-        ):
-            signs[-2] = "≈"  # nobody multiplies out components with cosines of a calculator
-        if signs[-2:] == ["≈", "≈"] and rounded and not self._is_open(draft):
-            del sides[-2], signs[-2]  # an answer has three figures at once
+        rounded &= signs[-2:] == ["≈", "≈"] and not self._is_open(draft)
+        if rounded or self._is_never_read(draft):
+            del sides[-2]
+            signs[-2:] = ["≈"]  # an answer has three figures at once
         shortest = 1000 if self._measures.decimals else _NEVER_READ
         if signs[-1] == "≈" and len(sides) > 3 and has_long_root(trees[-1], shortest):
             del sides[-2], signs[-2]
@@ -320,6 +315,17 @@ class Chains:
         if more is not None:
             sides.insert(1, more)
             signs.insert(0, "≈")
+
+    def _is_never_read(self, draft: Draft) -> bool:
+        """Whether the side before the figures is an exact number with cosines that nobody needs.
+
+        Components that are multiplied out, and roots below a line that has figures.
+        """
+        exact = draft.trees[-1]
+        if draft.signs[-2:] != ["=", "≈"] or not of_plain_angles(exact):
+            return False
+        is_multiplied = is_vector(draft.links[0].left) and draft.line.move.id == "rearrange"
+        return is_multiplied or (self._goes_on_in_figures(draft.line) and has_root(exact))
 
     def _in_figures_from_here(
         self, links: tuple[Link, ...], sides: Sequence[lay.Layout], signs: Sequence[str]
@@ -389,15 +395,18 @@ class Chains:
             and (calculated or self._figures.has_sums_of_roots(trees[0]))
             and links[0].sign == "="
         ):
-            trees[0] = self._figures.put(trees[0], worked)
+            whole = self._figures.sum_in_letters(trees[0]) if worked else None
+            trees[0] = whole or self._figures.put(trees[0], worked)
         for n, link in enumerate(() if plain else links, 1):
             if link.sign in ("=", "≈"):
                 trees[n] = self._side_in_figures(line, trees, n, worked)
             elif calculated:
                 trees[n] = bound_in_figures(trees[n])
-        if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
-            # Nobody multiplies two roots to have one of such a number.
-            trees[-1] = self._figures.cosine(trees[-1])
+        if line.move.record == "scalar-angle" and len(links) > 1:
+            behind = calculated and trees[1] != exact[1] and has_plain_angles(trees[-1])
+            if behind or has_long_root(trees[-1]):
+                # Nobody multiplies two roots to have one of such a number, or cosines of figures.
+                trees[-1] = self._figures.cosine(exact[-1] if behind else trees[-1])
         if not plain and self._goes_on_in_figures(line):
             own = trees[-1] if letters(exact[-1]) else exact[-1]
             outcome = self._figures.outcome(own)
@@ -458,6 +467,10 @@ class Chains:
         tree, calculated = trees[n], self._figures.with_calculator
         if calculated and n > 1 and is_figures(trees[n - 1]):
             return trees[n - 1]  # it is the same number
+        if calculated and (n > 1 or line.move.id in _WORKED_OUT):
+            sum_ = self._figures.sum_in_letters(tree)
+            if sum_ is not None:
+                return sum_
         if is_sum_of_inverses_of_roots(trees[-1]) and not self._goes_into_others(line):
             return angles_in_figures(tree) if is_sum_with_inverse(tree) else tree
         outcome = n == len(trees) - 1 > 1 and not isinstance(tree, Apply)

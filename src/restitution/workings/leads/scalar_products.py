@@ -32,6 +32,7 @@ from restitution.planning.angles.lines_between import cosine_of
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.unit_vectors import short_direction
 from restitution.vector import Vector
+from restitution.workings.naming.figures import has_plain_angles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.grounds import meant_by
 
@@ -100,7 +101,9 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
                 value = _by_components(derivation, line, velocity)
                 if value is None:
                     return None
-                sides.append(naming.relation(equality(velocity, value)))
+                # What only a calculator knows stands above, in figures.
+                own = None if has_plain_angles(value) else equality(velocity, value)
+                sides.append(naming.layout(velocity) if own is None else naming.relation(own))
             return say("derived-between.title-of", one=sides[0], other=sides[1])
     return None
 

@@ -16,7 +16,6 @@ from typing import NamedTuple
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.exact import significant
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
@@ -40,7 +39,14 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import product, swept, tree_of
-from restitution.workings.naming.measured import is_measure_of_angle, rounded, scalar_worth, worth
+from restitution.workings.naming.long_sums import sum_in_figures
+from restitution.workings.naming.measured import (
+    is_measure_of_angle,
+    number_carried,
+    rounded,
+    scalar_worth,
+    worth,
+)
 from restitution.workings.naming.roots_of_roots import (
     is_nested_root,
     is_of_nested_roots,
@@ -62,12 +68,10 @@ _LONG = 1000
 _SHORT = 10
 # A fraction of so many parts is a decimal with an end.
 _DECIMALS = 1000
-# Values beyond these would need a power of ten.
 _LONG_PRODUCT = 3  # of so many ratios
 _LONG_SUM = 2
 # Two values of a working that agree in so many figures are one.
 _FIGURES_THAT_TELL, _FIGURES_TOLD = 30, 20
-_LEAST, _GREATEST = Fraction(1, 1000), 10000
 
 
 def of_plain_angles(tree: Expression) -> bool:
@@ -176,7 +180,7 @@ def _number_and_letters(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
 
 def _multiple(number: sp.Expr, letters_: sp.Expr) -> Expression | None:
     """A multiple of letters with its number in figures: 0.1351u."""
-    size = _fraction(number, FIGURES_BETWEEN)
+    size = number_carried(number, FIGURES_BETWEEN)
     if size is None:
         return None
     whole = product(Rounded(abs(size), FIGURES_BETWEEN), tree_of(letters_))
@@ -218,6 +222,17 @@ class Figures:
             least = _LONG_SUM if any(map(self._is_long, walk(tree))) else _LONG_PRODUCT
         parts = _number_and_letters(tree) if len(_ratios_of_numbers(tree)) >= least else None
         return None if parts is None else _multiple(*parts)
+
+    def sum_in_letters(self, tree: Expression) -> Expression | None:
+        """A sum in letters with coefficients that only a calculator knows: 4.757 − 1.632e.
+
+        None of another value, and of one with a single ratio. It stands for the sum from then.
+        """
+        several = len({*_ratios_of_numbers(tree)}) >= _LONG_SUM and self.with_calculator
+        put = sum_in_figures(tree, FIGURES_BETWEEN) if several else None
+        if put is not None:
+            self.stands_for(tree, put)
+        return put
 
     def is_carried(self, tree: Expression) -> bool:
         """Whether a working goes on with the figures of a value, and not with the value."""
@@ -410,7 +425,7 @@ class Figures:
         if not of_plain_angles(tree):
             return False
         quotients = [node for node in walk(tree) if is_binary(node, "/")]
-        return any(_is_long_fraction(node) for node in quotients) or (
+        return any(_is_longnumber_carried(node) for node in quotients) or (
             self._decimals and any(_is_multiple_of_a_ratio(node.right) for node in quotients)
         )
 
@@ -525,7 +540,7 @@ def _in_degrees(tree: Expression, figures: int) -> Expression:
 def degrees_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
     """An angle in degrees to so many figures; None of one that is very small."""
     value = scalar_worth(tree)
-    number = None if value is None else _fraction(value * 180 / sp.pi, figures)
+    number = None if value is None else number_carried(value * 180 / sp.pi, figures)
     if number is None:
         return None
     size = RoundedDegrees(abs(number), figures)
@@ -591,7 +606,7 @@ def _has_long_numbers(tree: Expression) -> bool:
     )
 
 
-def _is_long_fraction(tree: Binary) -> bool:
+def _is_longnumber_carried(tree: Binary) -> bool:
     """Whether a quotient is a fraction with a number that is not short, and no short decimal."""
     match tree:
         case Binary("/", Number(above), Number(below)):
@@ -667,19 +682,10 @@ def _differ(exact: Expression, put: Expression) -> bool:
 def figures_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
     """A number to so many figures, as a decimal; None of one that is very small or large."""
     try:
-        number = _fraction(worth(tree), figures)
+        number = number_carried(worth(tree), figures)
     except (RestitutionError, sp.SympifyError):
         return None
     if number is None:
         return None
     size = Rounded(abs(number), figures)
     return Negate(size) if number < 0 else size
-
-
-def _fraction(value: sp.Expr, figures: int) -> Fraction | None:
-    """A number to so many figures; None of one that is very small or large."""
-    try:
-        number = Fraction(significant(value, figures))
-    except ValueError:
-        return None
-    return number if _LEAST <= abs(number) < _GREATEST else None

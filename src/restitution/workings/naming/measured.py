@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.exact import tidy
+from restitution.exact import significant, tidy
 from restitution.explaining.lines.derivation import Meaning
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.dimensions import NONE, Dimension
@@ -40,6 +40,8 @@ from restitution.work import remembered
 _FIGURES = 3
 # A decimal of so many figures is exact, and not rounded to three.
 _EXACT_FIGURES = 4
+# Values beyond these would need a power of ten.
+_LEAST, _GREATEST = Fraction(1, 1000), 10000
 
 
 class Measures:
@@ -303,6 +305,15 @@ def _axis(term: lay.Layout) -> lay.Bold | None:
 
 
 @remembered(1024)
+def number_carried(value: sp.Expr, figures: int) -> Fraction | None:
+    """A number to so many figures; None of one that would need a power of ten."""
+    try:
+        number = Fraction(significant(value, figures))
+    except ValueError:
+        return None
+    return number if _LEAST <= abs(number) < _GREATEST else None
+
+
 def rounded(tree: Expression) -> lay.Layout | None:
     """A value to three figures; None where its exact form says enough, or is no number.
 
