@@ -136,3 +136,48 @@ find time(1)
 """
     (item,) = solve(parse(statement)).parts[None].items
     assert " ".join(item.answers[0].condition) == condition
+
+
+CORNER = """
+wall OX: along i
+wall OY: along j
+sphere P: mass m, velocity u at theta to OX
+P hits OX: e = {one}
+P hits OY: e = {two}
+"""
+
+
+@pytest.mark.parametrize(
+    ("one", "two", "asked", "condition"),
+    [
+        (
+            "p",
+            "q",
+            "given velocity(P) perpendicular to velocity(P, 1)\nfind tan(theta)",
+            "As θ is acute, this holds for p > 0 and q > 0 only.",
+        ),
+        (
+            "k",
+            "k/2",
+            "let phi = angle(velocity(P), OY)\ngiven phi = 60°\nfind theta",
+            "",
+        ),
+        (
+            "k",
+            "f",
+            (
+                "let phi = angle(velocity(P), OY)\npart a\nshow tan(phi) = f/(k tan(theta))\n"
+                "part b\ngiven f = k/3, phi = 30°\nfind theta"
+            ),
+            "",
+        ),
+    ],
+    ids=["each factor of a product", "a quotient by a letter", "a quotient that is shown"],
+)
+def test_conditions_are_those_that_a_reader_needs(one, two, asked, condition):
+    explanation = explain(solve(parse(CORNER.format(one=one, two=two) + asked)), check=True)
+    assert explanation.followed
+    text = " ".join(to_text(explanation, 100).split())
+    assert "≠ 0" not in text
+    assert "still moving" not in text
+    assert condition in text

@@ -24,15 +24,17 @@ from restitution.expression.tree import (
     Letter,
     Number,
     has_quantity,
+    is_binary,
     is_zero,
     letters,
+    walk,
 )
 from restitution.oracle import All, BeyondError, Formula, Oracle, compared
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE, Role
 from restitution.planning.inequalities.forms_of_ranges import relation_of_condition
 from restitution.planning.inequalities.ranges import general_answer
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.forms import ONE, tree_of
 from restitution.problem import Extremum, Find, Given, Impact, Range, Value
 from restitution.records import dataclass
 from restitution.render import layout as lay
@@ -43,6 +45,8 @@ from restitution.solving.story.letters import roles
 from restitution.workings.excluded_ends import excluded_end
 from restitution.workings.naming.in_force import inequalities
 from restitution.workings.naming.measured import scalar_worth
+
+_TANGENTS = ("tan", "tan-direction")
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -80,42 +84,49 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 bounds = _bounds_of_squares(derivation, line)
                 known = Known(subjects.keys(), above, squares, bounds)
                 sentence = _sentence(solution, part, item, answer, known)
-                if sentence is not None and not (
-                    _is_by_angles(sentence) and _is_divided_by(derivation, line, answer)
-                ):
+                if sentence is not None and not _is_plain(derivation, line, answer, sentence):
                     sentences[line] = sentence
     return sentences
 
 
-def _is_by_angles(sentence: Sentence) -> bool:
-    """Whether a condition comes of acute angles alone."""
+def _is_plain(derivation: Derivation, last: int, answer: Answer, sentence: Sentence) -> bool:
+    """Whether a condition is that of a letter by which lines divide.
+
+    ``tan²α = 1/e``, from which a line goes on, has no value for e = 0; and where a sphere would be
+    at rest at the end, the tangent of its direction is a quotient in which that is seen.
+    """
     reasons = dict(sentence.slots).get("reasons", ())
     if sentence.id != "answer.only-as" or not isinstance(reasons, tuple):
         return False
-    return all(isinstance(reason, Sentence) and reason.id == "derived.acute" for reason in reasons)
-
-
-def _is_divided_by(derivation: Derivation, last: int, answer: Answer) -> bool:
-    """Whether a condition is that of a letter by which an earlier item divides: that is plain.
-
-    ``tan²α = 1/e``, from which a line goes on, has no value for e = 0.
-    """
+    why = {reason.id if isinstance(reason, Sentence) else "" for reason in reasons}
+    moving = why == {"answer.moving"}
+    if not moving and why != {"derived.acute"}:
+        return False
     own = derivation.line(last)
-    under = (derivation.line(ref) for ref in lines_under(derivation, last))
-    links = [
-        link
-        for line in under
-        if line is not None and own is not None and line.item != own.item
-        if isinstance(line.relation, Relation)
-        for option in line.relation.options
-        for link in option
-        if link.sign == "=" and not has_quantity(link.right)
-    ]
-    return any(
-        answer.condition == (f"0 < {name}",) and _is_infinite_without(link.right, name)
-        for link in links
-        for name in letters(link.right)
-    )
+    for ref in lines_under(derivation, last):
+        line = derivation.line(ref)
+        if own is None or line is None or not isinstance(line.relation, Relation):
+            continue
+        tangent = moving and line.move.record in _TANGENTS
+        if line.item == own.item and not tangent:
+            continue
+        for link in (link for option in line.relation.options for link in option):
+            if link.sign != "=" or has_quantity(link.right):
+                continue
+            for tree in (link.right, *(_divisors_of(link.right) if tangent else ())):
+                if any(
+                    answer.condition == (f"0 < {name}",) and _is_infinite_without(tree, name)
+                    for name in letters(tree)
+                ):
+                    return True
+    return False
+
+
+def _divisors_of(tree: Expression) -> Iterator[Expression]:
+    """One over each divisor in a tree, before anything cancels."""
+    for node in walk(tree):
+        if is_binary(node, "/"):
+            yield Binary("/", ONE, node.right)
 
 
 def _is_infinite_without(tree: Expression, name: str) -> bool:

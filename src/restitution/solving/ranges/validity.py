@@ -500,8 +500,11 @@ def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[
 
 
 def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iterator[Limitation]:
-    """Inequalities themselves; two that bound what was found for a letter as one, if shorter."""
-    left = list(facts)
+    """Inequalities themselves; two that bound what was found for a letter as one, if shorter.
+
+    Of a product that is not zero no factor is.
+    """
+    left = [part for fact in facts for part in _factors_apart(base, fact)]
     for name, root in trial.root.values.items():
         for low in [inequality for inequality in left if inequality.value == root]:
             high = next(
@@ -515,6 +518,31 @@ def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iter
                 left = [inequality for inequality in left if inequality not in (low, high)]
                 yield chain
     yield from map(_stated, _simplified(base, left))
+
+
+def _factors_apart(base: Oracle, inequality: Relation) -> Iterator[Relation]:
+    """That no factor of a product is zero, and so each positive that is not negative anyway.
+
+    A product that is positive stays one where some of its factors may be negative.
+    """
+    sides = sp.together(inequality.value).as_numer_denom()
+    bases = [x for side in sides for x in _bases(side) if not x.is_number]
+    positive = [bool(base.decide(Relation(factor, ">="))) for factor in bases]
+    strict = inequality.operator == ">" and all(positive)
+    if len(bases) < 2 or not (strict or inequality.operator == "!="):
+        yield inequality
+        return
+    for factor, sign in zip(bases, positive, strict=True):
+        yield Relation(factor, ">" if sign else "!=")
+
+
+def _bases(side: sp.Expr) -> Iterator[sp.Expr]:
+    """What stands in the factors of a product, without powers and roots."""
+    for factor in sp.Mul.make_args(sp.factor(side)):
+        if factor.is_Pow or factor.is_Mul:
+            yield from _bases(factor.base if factor.is_Pow else factor)
+        else:
+            yield factor
 
 
 def _chain(name: str, low: Relation, high: Relation) -> Limitation:
