@@ -73,9 +73,63 @@ def test_the_energy_is_of_the_speeds_that_are_read_off(statement: str, loss: str
     assert re.search(rf"Kinetic energy: (\(iii?\) )?kinetic energy lost = {re.escape(loss)}", text)
 
 
-def test_a_slanting_direction_has_its_component_for_a_letter() -> None:
+def test_a_velocity_of_a_slanting_direction_is_a_multiple_of_its_vector() -> None:
     text = text_of(SLANTING)
-    assert "It is given that 𝐯_P is parallel to 𝐢 + 2𝐣:\n    𝐯_P = V(𝐢 + 2𝐣)" in text
+    lead = "It is given that 𝐯_P is parallel to 𝐢 + 2𝐣, so for some number k:"
+    assert f"{lead}\n    𝐯_P = k(𝐢 + 2𝐣)" in text
+    assert "Let k" not in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            """
+wall W: along 2i - j
+sphere P: velocity i + 6j
+P hits W
+given velocity(P) in the direction of -i - j
+find e, speed(P)
+""",
+            (
+                "Scalar product with 2𝐢 − 𝐣, parallel to W, before the impact:",
+                "𝐮_P · (2𝐢 − 𝐣) = 2 − 6 = −4",
+                "𝐯_P = k(−𝐢 − 𝐣)",
+                "𝐯_P · (2𝐢 − 𝐣) = −2k + k = −k",
+                "−k = −4",
+                "k = 4\n",
+                "12 = 13e",
+            ),
+        ),
+        (
+            """
+wall V: along i - 3j
+sphere Q: mass 3, velocity 5i + j
+Q hits V
+given velocity(Q) parallel to i
+find speed(Q)
+""",
+            ("𝐯_Q · (𝐢 − 3𝐣) = s", "does not change:\n    s = 2 m s⁻¹"),
+        ),
+        (
+            """
+wall W: along 2i + 3j
+sphere P: mass m, velocity 6u i + u j
+P hits W
+given velocity(P) parallel to 3i + 2j
+find speed(P)
+""",
+            ("𝐯_P = k(3𝐢 + 2𝐣)", "12k = 15u", "k = 5u/4"),
+        ),
+    ],
+)
+def test_what_stays_is_a_scalar_product_with_the_vector_of_the_wall(
+    statement: str, lines: tuple[str, ...]
+) -> None:
+    text = text_of(statement)
+    for line in lines:
+        assert line in text, text
+    assert "unit vector" not in text
 
 
 def test_a_direction_told_by_a_slanting_angle_is_no_vector_with_roots() -> None:

@@ -147,9 +147,9 @@ given velocity(P) parallel to i - j, speed(P) = sqrt(2)
 find e, energy_lost
 """,
         (
-            "𝐯_P = s(𝐢 − 𝐣)",
-            "s² + s² = (√2)²",
-            "as s = 1 would give e = −10 by (3), but e ≥ 0",
+            "𝐯_P = k(𝐢 − 𝐣)",
+            "k² + k² = (√2)²",
+            "as k = 1 would give e = −10 by (3), but e ≥ 0",
             "e = ⅘",
         ),
     ),
@@ -161,7 +161,7 @@ A hits B: e = 1/2
 given velocity(A) parallel to i + 2j
 find velocity(A), velocity(B)
 """,
-        ("It is given that 𝐯_A is parallel to 𝐢 + 2𝐣:", "𝐯_A = s(𝐢 + 2𝐣)", "by scalar products"),
+        ("parallel to 𝐢 + 2𝐣, so for some number k:", "𝐯_A = k(𝐢 + 2𝐣)", "by scalar products"),
     ),
     "an angle between velocities that is right": (
         """

@@ -60,6 +60,7 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.figures import FIGURES_OF_ANSWERS, degrees_of, is_inverse
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
+from restitution.workings.naming.multiples import measured_meanings
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.senses_of_walls import in_senses_of_walls
 from restitution.workings.naming.sources import Sources
@@ -145,7 +146,7 @@ class _Writer:
         )
         # What no letter changes is the same for both.
         self.measures: Measures = (
-            shared.measures if shared else Measures(self.problem, derivation.meanings)
+            shared.measures if shared else Measures(self.problem, measured_meanings(derivation))
         )
         self.sources: Sources = shared.sources if shared else Sources(derivation)
         self.reasons: Reasons = Reasons(

@@ -49,6 +49,7 @@ from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 _LETTERS = ("s", "k", "b", "c", "q", "r")
+_MULTIPLES = ("k", "q", "r", "s", "b", "c")
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ class Ray:
     """
 
     body: str
-    quantity: Quantity
+    quantity: Expression
     direction: Vector
     given: GivenEquation
     role: Role
@@ -125,7 +126,7 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
         close(scene, own.shortened(scene), own.symbol)
     else:
         # One of the two senses contradicts the law.
-        _by_speed(scene, number, without_root(ray), own.symbol, own.lines, own.law)
+        _by_speed(scene, number, as_a_multiple(ray), own.symbol, own.lines, own.law)
     _settle(scene, number, own.late, own.lines, own.change, own.axis)
     return True
 
@@ -203,7 +204,7 @@ def _shortened(scene: Scene, law: int, short: Relation) -> int:
 
 
 def _law_along_the_change(scene: Scene, number: int, ray: Ray) -> _Law:
-    ray = without_root(ray)
+    ray = as_a_multiple(ray)
     symbol, late, lines = _ray_line(scene, number, ray)
     _add_others(scene, number, ray.body, late, lines)
     change, axis = line_of_change(scene, number, late, lines)
@@ -298,17 +299,21 @@ def _in_either_sense(scene: Scene, number: int, ray: Ray) -> bool:
     return True
 
 
-def without_root(ray: Ray) -> Ray:
-    """A slanting line with a component along **i**, or **j**, for its letter: no root is in it."""
+def as_a_multiple(ray: Ray) -> Ray:
+    """A velocity along a slanting line as a number times the vector that is given: k(3i + 2j)."""
     if 0 in ray.direction or ray.role is not REAL or ray.letter is not None:
         return ray
-    plain = plain_direction(ray.direction)
-    unit, part = Unit("i"), plain.x
-    if (plain.x / plain.y).is_Integer and not (plain.y / plain.x).is_Integer:
-        unit, part = Unit("j"), plain.y
+    direction = plain_direction(ray.direction)
+    if sp.sympify(direction.dot(ray.direction), strict=True).is_negative:
+        direction = -direction
+    whole = [(axis, part) for axis, part in zip("ij", direction) if part.is_Rational]
+    axis, part = next((own for own in whole if own[1] == 1), whole[0])
+    assert isinstance(ray.quantity, Quantity)
     velocity = ray.quantity.arguments[0]
-    direction = Vector(*(tidy(x / part) for x in plain))
-    return replace(ray, quantity=Quantity("along", (velocity, unit)), direction=direction)
+    own: Expression = Quantity("along", (velocity, Unit("i" if axis == "i" else "j")))
+    if part != 1:
+        own = swept(Binary("/", own, tree_of(part)))
+    return replace(ray, quantity=own, direction=direction)
 
 
 def _ray_line(
@@ -400,7 +405,9 @@ def _beside(
         plain = plain_direction(direction)
         if not all(value.is_number for value in plain):
             return None
-        return -plain if scene.model.sign(plain.x) < 0 else plain
+        # A perpendicular has no sense of its own.
+        ahead = plain.x if relation == "perpendicular to" else plain.dot(direction)
+        return -plain if scene.model.sign(ahead) < 0 else plain
     return None
 
 
@@ -477,6 +484,11 @@ def write_ray(
             Move("fact"), ray.given.refs, Relation(((ray.given.link,),))
         )
     taken = letters_taken(scene)
+    plain = plain_direction(ray.direction)
+    is_slanting = ray.role is REAL and 0 not in ray.direction
+    is_multiple = is_slanting and plain.x in (ray.direction.x, -ray.direction.x)
+    if is_multiple:
+        names, nothing_shown = _MULTIPLES, "silent"
     name = next(name for name in names if name not in taken)
     symbol = ray.role.symbol(name)
     scene.model.unknowns.roles = {**scene.model.unknowns.roles, name: ray.role}
@@ -488,10 +500,10 @@ def write_ray(
     let = scene.desk.write(Move("let"), (), Meaning(name, ray.quantity))
     velocity = Quantity("velocity", (Name(ray.body),), number)
     refs: tuple[Ref, ...] = (*ray.given.refs, let)
-    if ray.quantity.kind == "along":
+    if ray.role is REAL:
         other: Expression = Unit("i" if ray.direction.x == 0 else "j")
         if 0 not in ray.direction:
-            across = plain_direction(ray.direction).turned_left()
+            across = plain.turned_left()
             other = tree_of(across if scene.model.sign(across.x) > 0 else -across)
         move = Move("define", _record(ray.given), number)
         none = chain(Quantity("along", (velocity, other)), (ZERO, None))
@@ -505,13 +517,11 @@ def write_ray(
         nothing = scene.desk.write(move, premises, none, nothing_shown)
         refs = (let, nothing)
     value = vector_tree(ray.direction * symbol)
-    if 0 not in ray.direction and ray.role is REAL:
-        plain = plain_direction(ray.direction)
-        size = tidy(plain.x / ray.direction.x)
-        unit = Binary("/", tree_of(plain), tree_of(size))
-        value = product(
-            Letter(name), tree_of(ray.direction) if size.is_Rational and size == 1 else unit
-        )
+    if is_multiple:
+        value = product(Letter(name), tree_of(ray.direction))
+    elif is_slanting:
+        size = tree_of(tidy(plain.x / ray.direction.x))
+        value = product(Letter(name), Binary("/", tree_of(plain), size))
     line = scene.desk.write(
         Move("define", "assemble", number, (ray.body,)), refs, chain(velocity, (value, None))
     )

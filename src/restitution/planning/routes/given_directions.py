@@ -14,7 +14,7 @@ from restitution.expression.tree import (
     Quantity,
 )
 from restitution.oracle.roles import REAL
-from restitution.planning.axes.open_lines import ray_of, tried, without_root, write_ray
+from restitution.planning.axes.open_lines import as_a_multiple, ray_of, tried, write_ray
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import before, closing_at_wall, residual
@@ -70,9 +70,10 @@ def _written(scene: Scene, number: int, symbol: sp.Symbol | None) -> bool:
     early = [before(scene, kind, body, frame).value for kind in COMPONENTS]
     if any(value.has(sp.Add) for value in early):
         return False  # both laws would be long
-    size, line = write_ray(scene, number, without_root(ray), _LETTERS, "silent")
+    ray = as_a_multiple(ray)
+    size, line = write_ray(scene, number, ray, _LETTERS, "silent")
     velocity = Quantity("velocity", (Name(body),), number)
-    late = Vector(*(sp.expand(component * size) for component in without_root(ray).direction))
+    late = Vector(*(sp.expand(component * size) for component in ray.direction))
     scene.desk.know(velocity, late, (line,))
     across = _law(scene, body, frame, "across")
     if set(scene.unknown(residual(scene, across))) == {size}:

@@ -324,6 +324,40 @@ def negative(tree: Expression) -> Expression:
     return Negate(tree)
 
 
+def opposite(tree: Expression, *, as_it_stands: bool = False) -> Expression:
+    """A tree with the other sign, which each term has: 5 − 2 × 2 for −5 + 2 × 2.
+
+    The terms of a sum stay ``as_it_stands``; else one that is added comes first.
+    """
+    match tree:
+        case Negate(operand):
+            return operand
+        case Binary("+" | "-", left, right):
+            terms = [opposite(left, as_it_stands=as_it_stands), right]
+            if tree.op == "+":
+                terms[1] = opposite(right, as_it_stands=as_it_stands)
+            if not as_it_stands and isinstance(terms[0], Negate):
+                terms.sort(key=lambda term: isinstance(term, Negate))
+            return total(terms)
+        case Binary("/", above, below) if _has_terms(above):
+            return swept(Binary("/", opposite(above, as_it_stands=as_it_stands), below))
+        case Binary("*", first, second) if _has_terms(second):
+            return product(first, opposite(second, as_it_stands=as_it_stands))
+        case Binary("*", first, second) if _has_terms(first):
+            return product(opposite(first, as_it_stands=as_it_stands), second)
+    return negative(tree)
+
+
+def _has_terms(tree: Expression) -> bool:
+    """Whether a tree is a sum, or one over a number."""
+    match tree:
+        case Binary("+" | "-"):
+            return True
+        case Binary("/", above, _):
+            return _has_terms(above)
+    return False
+
+
 def difference(left: Expression, right: Expression) -> Expression:
     """One less another; a sum that is taken away stands in brackets."""
     if is_zero(right):

@@ -1,6 +1,6 @@
-"""Newton's law by scalar products with a plain vector along the line of centres.
+"""Laws by scalar products with a plain vector, along the line of centres or along a wall.
 
-Where components stand in that law alone, the length of the vector cancels: with 2**i** + **j** in
+Where components stand in one law alone, the length of the vector cancels: with 2**i** + **j** in
 place of (2**i** + **j**)/√5 no root is written.
 """
 
@@ -32,21 +32,28 @@ from restitution.planning.writing.forms import (
     coordinates,
     difference,
     negative,
+    opposite,
     product,
     swept,
     tree_of,
     vector,
 )
 from restitution.records import dataclass
+from restitution.vector import Vector
 
-_LAWS = ("restitution", "restitution-wall")
+# Each with the components that it is about.
+_LAWS = {"restitution": "along", "restitution-wall": "along", "unchanged": "across"}
 
 
 @dataclass(frozen=True)
 class _Component:
-    """A component along the line of centres: a scalar product ``above`` over the root ``size``."""
+    """A component along the line of centres, or across it: a scalar product over a root ``size``.
+
+    The product is ``above``; ``kind`` is along or across.
+    """
 
     line: Line
+    kind: str
     body: str
     stage: int
     velocity: Quantity
@@ -56,9 +63,10 @@ class _Component:
 
 
 def with_plain_products(derivation: Derivation, oracle: Oracle) -> Derivation:
-    """The same working, in which no root stands below components that only Newton's law has."""
-    for law in derivation.lines:
-        if law.move.id == "law" and law.move.record in _LAWS:
+    """The same working, in which no root stands below components that only one law has."""
+    for number in [line.number for line in derivation.lines]:
+        law = derivation.line(number)
+        if law is not None and law.move.id == "law" and law.move.record in _LAWS:
             derivation = _by_products(derivation, law, oracle) or derivation
     return derivation
 
@@ -67,14 +75,20 @@ def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivatio
     """The working with a law by scalar products; None where other lines need a component."""
     cited = derivation.lines_in(law.premises)
     parts = [own for line in cited if (own := _component(line)) is not None]
-    if len(parts) != len(cited) or len({part.size for part in parts}) != 1:
+    kinds = {part.kind for part in parts} - {_LAWS[law.move.record or ""]}
+    if kinds or len(parts) != len(cited) or len({part.size for part in parts}) != 1:
         return None
     if any(part.line.number in derivation.held for part in parts):
         return None
     numbers = {part.line.number for part in parts}
     if any(numbers & set(line.premises) for line in derivation.lines if line is not law):
         return None
-    along, relation = _along(derivation, parts[0].line), _law(derivation, law, parts)
+    along = _along(derivation, parts[0].line)
+    if along is not None and parts[0].kind == "across":
+        along, parts = _along_the_wall(derivation, law, along, parts)
+        relation = _what_stays(law, parts)
+    else:
+        relation = _law(derivation, law, parts)
     if along is None or relation is None:
         return None
     axis = along[1]
@@ -82,10 +96,23 @@ def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivatio
     premises = tuple(dict.fromkeys((*law.premises, axis)))
     changed[law.number] = replace(law, relation=relation, premises=premises)
     lines = tuple(changed.get(line.number, line) for line in derivation.lines)
+    again = [e for e in lines if e.premises == (law.number,) and e.relation == relation]
+    if any(line.number in derivation.held for line in again):
+        return None
+    lines = tuple(_resting_on(line, law, again) for line in lines if line not in again)
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)
     touched = {*changed, *(e.number for e in lines if law.number in e.premises)}
     return whole if all(read.accepts(read.lines[n]) for n in touched) else None
+
+
+def _resting_on(line: Line, law: Line, again: list[Line]) -> Line:
+    """A line that rests on a law in place of those that would say it again."""
+    numbers = {own.number for own in again}
+    if numbers.isdisjoint(line.premises):
+        return line
+    refs = (law.number if ref in numbers else ref for ref in line.premises)
+    return replace(line, premises=tuple(dict.fromkeys(refs)))
 
 
 def _component(line: Line) -> _Component | None:
@@ -97,7 +124,7 @@ def _component(line: Line) -> _Component | None:
         case (
             Link(
                 Quantity(
-                    "along",
+                    "along" | "across" as kind,
                     (Quantity("velocity", (Name(body),), int(stage)) as velocity, Quantity()),
                 ),
                 "=",
@@ -110,7 +137,7 @@ def _component(line: Line) -> _Component | None:
         case Binary("/", above, Apply("sqrt", Number()) as size):
             above = negative(above) if isinstance(right, Negate) else above
             value = tidy(sp.expand(in_letters(above)))
-            return _Component(line, body, stage, velocity, above, value, size)
+            return _Component(line, kind, body, stage, velocity, above, value, size)
     return None
 
 
@@ -123,6 +150,34 @@ def _along(derivation: Derivation, line: Line) -> tuple[Expression, Ref] | None:
                 whole = coordinates(parallel)
                 return None if whole is None else (vector(*whole), ref)
     return None
+
+
+def _along_the_wall(
+    derivation: Derivation, law: Line, axis: tuple[Expression, Ref], parts: list[_Component]
+) -> tuple[tuple[Expression, Ref], list[_Component]]:
+    """The vector along a wall, in the sense of that, and the components in this sense."""
+    parallel, ref = axis
+    x, y = coordinates(parallel) or (ZERO, ZERO)
+    beside = vector(negative(y), x)
+    wall = next((e.bodies[-1] for e in derivation.events if e.number == law.move.event), "")
+    fact = derivation.fact(f"wall {wall}")
+    along = None if fact is None else in_letters(fact.relation.only[-1].right)
+    other = in_letters(beside)
+    if isinstance(along, Vector) and isinstance(other, Vector) and along.dot(other).is_negative:
+        beside = vector(y, negative(x))
+        parts = [
+            replace(own, above=opposite(own.above, as_it_stands=True), value=-own.value)
+            for own in parts
+        ]
+    return (beside, ref), parts
+
+
+def _what_stays(law: Line, parts: list[_Component]) -> Relation | None:
+    """That scalar products with a vector along a wall are equal; None where one is not told."""
+    values = {part.stage == law.move.event: tree_of(part.value) for part in parts}
+    if values.keys() != {True, False}:
+        return None
+    return chain(values[True], (values[False], None))
 
 
 def _product(part: _Component, parallel: Expression, axis: Ref) -> Line:

@@ -36,6 +36,7 @@ from restitution.workings.leads.one_component import (
     vector_resolved,
 )
 from restitution.workings.naming.facts import fact_in_words
+from restitution.workings.naming.measured import are_parallel
 
 # Components before the impact, or after it: at a wall, and of spheres.
 _RESOLVED = {
@@ -114,7 +115,7 @@ class ComponentLeads(LinesAround):
             case Quantity("dot", (_, Unit()) | (Unit(), _)):
                 return say("resolved-axes.title")
             case Quantity("dot", (Quantity("velocity", _, int(stage)), along)):
-                return self._products(line, stage, self._naming.layout(along))
+                return self._products(line, stage, along)
             case _:
                 return None
         if event is None:
@@ -179,14 +180,18 @@ class ComponentLeads(LinesAround):
             return None
         return self._naming.relation(equality(Binary("-", STRAIGHT_ANGLE, angle), rest))
 
-    def _products(self, line: Line, stage: int, along: lay.Layout) -> Sentence:
-        """What is said before scalar products with a vector along a line of centres."""
+    def _products(self, line: Line, stage: int, along: Expression) -> Sentence:
+        """What is said before scalar products with a vector along a line of centres, or a wall."""
         event = self._naming.events[line.move.event or 0]
-        slots: dict[str, Any] = {"products": say("resolved.several-products"), "vector": along}
+        vector = self._naming.layout(along)
+        slots: dict[str, Any] = {"products": say("resolved.several-products"), "vector": vector}
         if stage == event.number:
             return say("resolved.products-after", **slots)
         if event.wall:
-            return say("resolved.products-wall", wall=event.bodies[1], **slots)
+            fact = self._derivation.fact(" ".join(("wall", event.bodies[1])))
+            parallel = fact is not None and are_parallel(along, fact.relation.only[-1].right)
+            name: SentenceId = "resolved.products-along" if parallel else "resolved.products-wall"
+            return say(name, wall=event.bodies[1], **slots)
         return say("resolved.products-before", **slots)
 
     def _comes_straight(self, event: Event) -> bool:

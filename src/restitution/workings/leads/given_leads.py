@@ -46,6 +46,7 @@ from restitution.workings.leads.lines_around import is_at_rest
 from restitution.workings.leads.scalar_products import slope_title
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
+from restitution.workings.naming.multiples import multiple_of
 from restitution.workings.naming.sources import is_vector
 from restitution.workings.reasons.later_times import between_impacts
 
@@ -110,6 +111,7 @@ class GivenLeads(Leads):
         sentence = fact_in_words(self._naming, fact)
         # The first that fits is said: what comes before says more of a line than what comes after.
         for lead in (
+            self._of_a_multiple,
             self._with_its_path,
             self._of_a_given_vector,
             self._of_a_sense_past,
@@ -149,6 +151,16 @@ class GivenLeads(Leads):
             # An angle of the data is a value too.
             facts = [fact for fact in facts if any(map(has_quantity, trees_of(fact.relation)))]
         return facts
+
+    def _of_a_multiple(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """That a velocity is a number times a vector."""
+        multiple = multiple_of(line)
+        if multiple is None:
+            return None
+        letter = self._naming.layout(Letter(multiple))
+        return (say("given.some-multiple", fact=sentence, letter=letter),)
 
     def _with_its_path(
         self, line: Line, fact: Fact, sentence: Sentence | lay.Layout

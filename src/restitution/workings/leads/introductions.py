@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     unsigned,
 )
 from restitution.render import layout as lay
+from restitution.workings.naming.multiples import multiples
 from restitution.workings.naming.quantities import Naming
 
 # Letters along a line of centres that is given as a direction, and one that is given by its angle.
@@ -42,10 +43,12 @@ class Introductions:
     def __init__(self, derivation: Derivation, naming: Naming) -> None:
         self._derivation = derivation
         self._naming = naming
+        self._multiples = multiples(derivation)
 
     def of(self, lets: Sequence[Meaning]) -> Iterator[Sentence]:
         """What letters stand for: quantities by name, and the others as equations."""
-        new = [let for let in lets if let.letter not in self._naming.introduced_early]
+        early = self._naming.introduced_early | self._multiples
+        new = [let for let in lets if let.letter not in early]
         for kind, group in groupby(new, self._kind):
             meanings = list(group)
             if kind is None:

@@ -332,7 +332,7 @@ class BoldLetters:
     def across_wall(self, wall: str) -> lay.Layout | None:
         """The direction of a wall turned to the left, as a vector; None where it is not told."""
         fact = self.derivation.fact(" ".join(("wall", wall)))
-        direction = None if fact is None else _in_numbers(fact.relation.only[-1].right)
+        direction = None if fact is None else direction_in_numbers(fact.relation.only[-1].right)
         if direction is None:
             return None
         return self.layout(tree_of(whole_direction(direction.turned_left())[0]))
@@ -448,7 +448,7 @@ class BoldLetters:
                 case Relation(((Link(left, "=" | "parallel to" as sign), *_),)) if left == axis:
                     # What is asked as a direction is answered by the unit vector.
                     if sign == "=" or line.number in asked:
-                        return _in_numbers(line.relation.only[-1].right) == direction
+                        return direction_in_numbers(line.relation.only[-1].right) == direction
         return False
 
     def _ratios(self, number: int) -> dict[sp.Expr, sp.Expr]:
@@ -517,7 +517,7 @@ def direction_of_event(derivation: Derivation, number: int) -> Vector | None:
         assert isinstance(value.relation, Relation)
         match value.relation.options:
             case ((Link(left, "=" | "parallel to"), *_),) if left == axis:
-                direction = _in_numbers(value.relation.only[-1].right)
+                direction = direction_in_numbers(value.relation.only[-1].right)
                 if direction is not None:
                     return direction
     return _beside_i(derivation, axis) or _beside_a_path(derivation, axis)
@@ -566,13 +566,13 @@ def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:
     for relation in relations:
         match relation:
             case Meaning(letter, Quantity("angle", sides), angle="acute") if axis in sides:
-                return _in_numbers(Letter(letter)) if Unit("i") in sides else None
+                return direction_in_numbers(Letter(letter)) if Unit("i") in sides else None
             case Relation(((Link(Quantity("angle", sides), "=", angle),),)) if axis in sides:
-                return _in_numbers(angle) if Unit("i") in sides else None
+                return direction_in_numbers(angle) if Unit("i") in sides else None
     return None
 
 
-def _in_numbers(tree: Expression) -> Vector | None:
+def direction_in_numbers(tree: Expression) -> Vector | None:
     """A direction with both components, in numbers or of length 1; None of any other."""
     nodes = list(walk(tree))
     if all(isinstance(node, Degrees | Number | Letter | Negate | Binary) for node in nodes):
@@ -618,7 +618,7 @@ def _value(tree: Expression, known: Mapping[str, Role], values: Mapping[str, sp.
 
 def unit_vector(tree: Expression) -> Expression | None:
     """A unit vector as multiples of **i** and **j** over its length; None of what is no vector."""
-    direction = _in_numbers(tree)
+    direction = direction_in_numbers(tree)
     if direction is None:
         return None
     unit = _tree_of_unit(direction)
@@ -651,4 +651,4 @@ def _whole(direction: Vector) -> tuple[Vector, sp.Expr]:
     return Vector(*(tidy(component * length) for component in direction)), length
 
 
-__all__ = ["BoldLetters", "Used", "direction_of_event", "unit_vector"]
+__all__ = ["BoldLetters", "Used", "direction_in_numbers", "direction_of_event", "unit_vector"]

@@ -22,6 +22,7 @@ from restitution.problem import Arrival, Problem
 from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures, with_unit
+from restitution.workings.naming.multiples import measured_meanings
 
 
 @dataclass
@@ -197,7 +198,7 @@ class Moments:
 
     def unit(self, tree: Expression) -> str:
         """The unit of a quantity; nothing where letters give the scale."""
-        return Measures(self.problem, self.meanings).unit(tree)
+        return Measures(self.problem, measured_meanings(self.derivation)).unit(tree)
 
     def _in_seconds(self, time: Expression) -> lay.Layout:
         """A plain number of seconds with its unit, where the statement has units."""

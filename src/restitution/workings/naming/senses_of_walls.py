@@ -7,10 +7,9 @@ that **t** = (4**i** − 3**j**)/5. Each line that this touches is read once mor
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
-from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import (
@@ -23,7 +22,6 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -34,12 +32,13 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Oracle
-from restitution.planning.writing.forms import negative, product, swept, total
+from restitution.planning.writing.forms import opposite, swept
 from restitution.problem import Problem
 from restitution.records import dataclass
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
-from restitution.workings.naming.bold_letters import direction_of_event
+from restitution.workings.naming.bold_letters import direction_in_numbers, direction_of_event
+from restitution.workings.naming.measured import vector_worth
 
 
 @dataclass(frozen=True)
@@ -71,7 +70,7 @@ def _against(derivation: Derivation, event: Event) -> Vector | None:
     None where it is not, and where something else than a line has a component in its direction.
     """
     fact = derivation.fact(" ".join(("wall", event.bodies[-1])))
-    own = None if fact is None else vector_of(fact.relation.only[-1].right)
+    own = None if fact is None else direction_in_numbers(fact.relation.only[-1].right)
     normal = None if own is None else direction_of_event(derivation, event.number)
     if own is None or normal is None or not all(part.is_number for part in (*own, *normal)):
         return None
@@ -97,10 +96,13 @@ def _is_across(tree: Expression, event: Event) -> bool:
 def _turned(turned: Turned, event: Event, beside: Vector, problem: Problem) -> Turned:
     """A working with the components along one more wall turned; the same where that fails."""
     changed: dict[int, Line] = {}
+    values = set(_values_across(turned.printed, event))
     if not any(_is_resolved(line, event) for line in turned.printed.lines):
         return turned  # the body may come in either sense: in that it is taken to go
     for line in turned.printed.lines:
-        own = line if isinstance(line.relation, Meaning) else _turned_line(line, event, beside)
+        if isinstance(line.relation, Meaning):
+            continue
+        own = _turned_line(line, event, beside, values)
         if own is not line:
             changed[line.number] = own
     followed = {
@@ -142,8 +144,20 @@ def _opposite_axes(relation: Relation | Meaning, event: Event) -> Relation:
     return _mapped(relation, lambda tree: rebuilt(tree, change))
 
 
-def _turned_line(line: Line, event: Event, beside: Vector) -> Line:
-    """A line with the other sign for components along a wall; the line itself without any."""
+def _values_across(derivation: Derivation, event: Event) -> Iterator[Expression]:
+    """What the components along a wall come to."""
+    for line in derivation.lines:
+        if isinstance(line.relation, Relation) and len(line.relation.options) == 1:
+            links = line.relation.only
+            if _is_across(links[0].left, event):
+                yield links[-1].right
+
+
+def _turned_line(line: Line, event: Event, beside: Vector, values: set[Expression]) -> Line:
+    """A line with the other sign for components along a wall; the line itself without any.
+
+    What stays along the wall is an equation of two of the ``values``; both may have the other sign.
+    """
     relation = line.relation
     assert isinstance(relation, Relation)
     options: list[tuple[Link, ...]] = []
@@ -154,8 +168,7 @@ def _turned_line(line: Line, event: Event, beside: Vector) -> Line:
             resolved = line.move.record == "component"
             turned = [_opposite_link(links[0], is_first=True, as_it_stands=resolved)]
             turned += [_opposite_link(link) for link in links[1:]]
-        elif is_own and line.move.record == "unchanged":
-            # What stays is an equation of two values.
+        elif is_own and line.move.record == "unchanged" and links[-1].right in values:
             turned = [_opposite_link(link) for link in links]
         else:
             turned = [_turned_link(link, event, beside if is_own else None) for link in links]
@@ -195,44 +208,10 @@ def _is_beside(tree: Expression, beside: Vector) -> bool:
     """Whether a tree is the unit vector along a wall, or a multiple of it in its sense."""
     if has_quantity(tree) or not has_unit_vector(tree):
         return False
-    own = vector_of(tree)
+    own = vector_worth(tree)
     if own is None or not all(part.is_number for part in own):
         return False
-    return tidy(own.x * beside.y - own.y * beside.x) == 0 and bool(own.dot(beside).is_positive)
-
-
-def opposite(tree: Expression, *, as_it_stands: bool = False) -> Expression:
-    """A tree with the other sign, which each term has: 5 − 2 × 2 for −5 + 2 × 2.
-
-    The terms of a sum stay ``as_it_stands``; else one that is added comes first.
-    """
-    match tree:
-        case Negate(operand):
-            return operand
-        case Binary("+" | "-", left, right):
-            terms = [opposite(left, as_it_stands=as_it_stands), right]
-            if tree.op == "+":
-                terms[1] = opposite(right, as_it_stands=as_it_stands)
-            if not as_it_stands and isinstance(terms[0], Negate):
-                terms.sort(key=lambda term: isinstance(term, Negate))
-            return total(terms)
-        case Binary("/", above, below) if _has_terms(above):
-            return swept(Binary("/", opposite(above, as_it_stands=as_it_stands), below))
-        case Binary("*", first, second) if _has_terms(second):
-            return product(first, opposite(second, as_it_stands=as_it_stands))
-        case Binary("*", first, second) if _has_terms(first):
-            return product(opposite(first, as_it_stands=as_it_stands), second)
-    return negative(tree)
-
-
-def _has_terms(tree: Expression) -> bool:
-    """Whether a tree is a sum, or one over a number."""
-    match tree:
-        case Binary("+" | "-"):
-            return True
-        case Binary("/", above, _):
-            return _has_terms(above)
-    return False
+    return tidy(own.cross(beside)) == 0 and bool(own.dot(beside).is_positive)
 
 
 def _mapped(relation: Relation, change: Callable[[Expression], Expression]) -> Relation:
@@ -243,15 +222,6 @@ def _mapped(relation: Relation, change: Callable[[Expression], Expression]) -> R
             for links in relation.options
         )
     )
-
-
-def vector_of(tree: Expression) -> Vector | None:
-    """A vector in letters; None of what is none."""
-    try:
-        value = in_letters(tree)
-    except RestitutionError:
-        return None
-    return value if isinstance(value, Vector) else None
 
 
 __all__ = ["Turned", "in_senses_of_walls"]

@@ -30,6 +30,7 @@ from restitution.planning.writing.forms import coordinates
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures
+from restitution.workings.naming.multiples import measured_meanings
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.along_units import along_its_unit
@@ -82,7 +83,7 @@ class Reasons(PositiveReasons):
         self._sources = sources
         poles = shared._right_angles.poles if shared else None
         self._right_angles: RightAngles = RightAngles(derivation, naming, self._roles, poles)
-        measures = Measures(problem, derivation.meanings)
+        measures = Measures(problem, measured_meanings(derivation))
         self._growth = GrowthReasons(
             derivation, naming, self._roles, self._shapes, self._reason, measures
         )

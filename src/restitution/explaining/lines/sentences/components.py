@@ -52,6 +52,9 @@ SENTENCES: Mapping[str, str] = {
     "resolved.products-wall": (
         "{products:capital} with {vector}, perpendicular to {wall}, before the impact:"
     ),
+    "resolved.products-along": (
+        "{products:capital} with {vector}, parallel to {wall}, before the impact:"
+    ),
     "resolved.products-after": "{products:capital} with {vector}, after the impact:",
     "resolved.before-at-centres": (
         "{body} moves at {angle} to the line of centres. {components:capital} before the impact:"

@@ -26,6 +26,7 @@ SENTENCES: Mapping[str, str] = {
     "given.fact-along-one": (
         "It is given that {fact}. These positions differ in their {axis}-coordinates alone:"
     ),
+    "given.some-multiple": "It is given that {fact}, so for some number {letter}:",
     "given.fact-across-wall": (
         "It is given that {fact}. Half the mass cancels, and the component parallel to {wall} does "
         "not change:"
