@@ -98,7 +98,7 @@ find maximum of energy_lost over m, minimum of energy_lost over m, maximum of en
     # tan δ ≤ tan 30° needs that δ is between 0° and 30°.
     "a given bound of an angle is the end of its range": (
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
-        ["tan δ ≤ √3/3, as 0° ≤ δ ≤ 30°"],
+        ["β − 45° ≤ 30°", "β ≤ 75°", "tan β ≤ 2 + √3, as 0° ≤ β ≤ 90°"],
     ),
     # The gap closes if 0 > 2(9 − 2k)u/(9(3 + k)).
     "a sum by which an inequality is multiplied is positive": (
@@ -261,7 +261,7 @@ show angle(velocity(P), W) <= alpha
     # tan δ = (1 + e)/(3 − e) is at most 1/√3: √3(1 + e) ≤ 3 − e.
     "terms are collected before a sum with roots divides": (
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
-        ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3√3 − 3", "e ≤ 2√3 − 3"],
+        ["2/(1 − e) ≤ 2 + √3", "(2 + √3)e ≤ √3, as 1 − e > 0", "e ≤ 2√3 − 3"],
     ),
     "at right angles to who moves along the line there is no component": (
         REST.format(angle="45°", m="2m", e="")

@@ -52,6 +52,7 @@ from restitution.workings.leads.touching import Touching
 from restitution.workings.lines_together import (
     before_their_line,
     first_under_its_heading,
+    impact_of_a_value,
     resolved_with,
 )
 from restitution.workings.naming.bold_letters import Used
@@ -198,6 +199,7 @@ class _Writer:
         lines = list(self.angles.in_order(lines))
         self.naming.bold.part = label
         self.before = ()
+        self.heading = None
         steps = tuple(_labelled_once(joined(self.steps(lines, label))))
         if self.axes is not None and has_axes(steps):
             steps, self.axes = tuple(with_axes(steps, self.axes)), None
@@ -232,7 +234,7 @@ class _Writer:
                 continue
             if not waiting and self._is_silent(shown, index):
                 continue
-            yield from self._entered(first_under_its_heading(shown, index))
+            yield from self._entered(self._heads(shown, index))
             yield from self._ratios(line)
             yield from self._vectors_of_event(line, bool(lets))
             if not waiting and self.carried.gather(resolved_with(shown[index:])):
@@ -275,6 +277,12 @@ class _Writer:
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
         yield from self._spare(label)
+
+    def _heads(self, lines: Sequence[Line], index: int) -> Line:
+        """The line whose impact a line stands under; one that is not printed heads no others."""
+        line = lines[index]
+        own = first_under_its_heading(lines, index, self.naming.meanings)
+        return line if own is not line and self._is_silent(lines, lines.index(own)) else own
 
     def _ratios(self, line: Line) -> Iterator[Step]:
         """The ratios of angles that a line needs."""
@@ -482,6 +490,8 @@ class _Writer:
     def _heading(self, line: Line) -> Iterator[Step]:
         """A heading where the next of several events begins."""
         number = line.move.event if line.move.id != "fact" else _impact_of_a_line(line)
+        if number is None and self.heading is not None:
+            number = impact_of_a_value(line, self.naming.meanings)
         event = self.naming.events.get(number or 0)
         if event is None or number == self.heading or len(self.naming.impacts_with(event)) < 2:
             return

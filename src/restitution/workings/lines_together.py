@@ -2,22 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import takewhile
 
-from restitution.explaining.lines.derivation import Line, Meaning, Relation
+from restitution.explaining.lines.derivation import Line, Link, Meaning, Relation
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import is_quantity, letters, walk
+from restitution.expression.tree import Letter, Quantity, is_quantity, letters, walk
 
 
-def first_under_its_heading(lines: Sequence[Line], index: int) -> Line:
-    """The line whose impact a line stands under: its own, or the next, for ratios put into that."""
+def first_under_its_heading(
+    lines: Sequence[Line], index: int, meanings: Mapping[str, Meaning]
+) -> Line:
+    """The line whose impact a line stands under: its own, or the next, for ratios put into that.
+
+    Components of an impact into which values are put stand under the same heading as its laws.
+    """
     line = lines[index]
+    number = impact_of_a_value(line, meanings)
+    if number is not None:
+        below = (own for own in lines[index:] if impact_of_a_value(own, meanings) != number)
+        after = next(below, line)
+        return after if after.move.id == "law" and after.move.event == number else line
     ratios = list(takewhile(lambda line: line.move.id == "triangle", lines[index:]))
     after = lines[index + len(ratios)] if index + len(ratios) < len(lines) else line
     own = {ratio.number for ratio in ratios}
     of_an_impact = after.move.id in ("law", "define") and after.move.event is not None
     return after if of_an_impact and own.intersection(after.premises) else line
+
+
+def impact_of_a_value(line: Line, meanings: Mapping[str, Meaning]) -> int | None:
+    """The impact after which a component has the value that a line puts in; None of others."""
+    match line.move.id, line.relation:
+        case "put" | "rearrange", Relation(((Link(Letter(name), "="), *_),)) if name in meanings:
+            own = meanings[name].quantity
+        case "put", Relation(((Link(left, "="), *_),)):
+            named = [letter for letter in sorted(letters(left)) if letter in meanings]
+            own = meanings[named[0]].quantity if len(named) == 1 else left
+        case _:
+            return None
+    match own:
+        case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), *_)):
+            return stage
+    return None
 
 
 def resolved_with(lines: Sequence[Line]) -> Iterator[Line]:

@@ -151,8 +151,9 @@ def as_quadratic(
         return line
     generator, poly = own
     stated = worths.scene.desk.last_link(line)
-    if tree_of(generator) in (stated.left, stated.right):
-        return line  # it is solved
+    links = worths.scene.desk.relation(line).options[0]
+    if any(tree_of(generator) in (link.left, link.right) for link in links):
+        return line  # it is solved, perhaps between two bounds
     if _is_of_factors(stated, generator):
         return line
     if poly.degree() != 2 or 0 in poly.all_coeffs():

@@ -424,7 +424,9 @@ class Sources:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
         values = tuple(number for number in cited if number != target)
-        letters = self._letters(values, target)
+        # Where a fact is named first, the line into which values are put comes next.
+        into = target if target is not None else next(iter(cited), None)
+        letters = self._letters(values, into)
         facts = self._given(line.premises)
         if self._is_sum_of_times(line, cited):
             return Source("times")
