@@ -517,3 +517,23 @@ def test_a_letter_of_two_words_stands_in_what_is_factored() -> None:
     oracle = Oracle({"value sought": POSITIVE, "e": COEFFICIENT})
     square = sp.expand((sought - 1) ** 2 * (e + 1))
     assert oracle.proves(compared(square, ">=", 0))
+
+
+def test_linear_equations_of_numbers_are_decided_by_elimination() -> None:
+    """With ratios of 35° the numbers are long; their signs tell what follows."""
+    u, e, v, w = sp.Symbol("u", positive=True), *sp.symbols("e v w", real=True)
+    cosine = sp.cos(7 * sp.pi / 36)
+    facts = (
+        Relation(2 * u * cosine - v - 3 * w, "="),
+        Relation(w - v - e * u * cosine, "="),
+        Relation(v - u * sp.sqrt(1 - cosine**2), "="),
+    )
+    roles = {"u": POSITIVE}
+    # e = (2cos 35° − 4 sin 35°)/(3 cos 35°) is negative.
+    assert Oracle(roles, (*facts, Relation(e, ">="))).by_elimination == "no"
+    assert Oracle(roles, (*facts, Relation(-e, ">"))).by_elimination == "yes"
+    # Nothing says what e is: it may be what it should.
+    assert Oracle(roles, (facts[0], facts[2], Relation(e, ">="))).by_elimination == "yes"
+    # A product with a letter that may vanish gives none by another.
+    assert Oracle(roles, (Relation(e * v - u, "="), Relation(e, ">"))).by_elimination == "unknown"
+    assert Oracle(roles, (*facts, Relation(e, ">="))).possible.answer == "refuted"

@@ -110,7 +110,7 @@ given speed(B) = 7
 find speed(A)
 """
     working = " ".join(to_text(explain(solve(parse(text))), 100).split())
-    assert "sin² 35°) would give v ≈ 9.527 and e ≈ −1.316 by (2) and (3), but e ≥ 0" in working
+    assert "as w ≈ −6.386 would give v ≈ 9.527 and e ≈ −1.316 by (2) and (3), but e ≥ 0" in working
 
 
 def test_what_was_not_solved_in_time_earns_nothing() -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from itertools import chain
 from threading import local
 from typing import Literal
 
@@ -13,6 +14,7 @@ import sympy as sp
 
 from restitution.oracle import decision, intervals
 from restitution.oracle.draws import Draw, draws
+from restitution.oracle.eliminated import hold_together
 from restitution.oracle.formula import (
     All,
     Formula,
@@ -126,10 +128,17 @@ class Oracle:
         except _OpenError as open_:
             return open_.verdict
 
+    @cached_property
+    def by_elimination(self) -> Literal["yes", "no", "unknown"]:
+        """Whether some values satisfy the facts, as linear equations among them alone show."""
+        return hold_together(self.facts, self.roles)
+
     def _satisfied(self) -> Verdict:
         names = self._every.letters
         for draw in self._drawn(names, 0, FEW):
             return Verdict("proved", "witness", draw.point, 1)
+        if self.by_elimination == "no":
+            return Verdict("refuted", "algebra")
         reply, world = self._asked(())
         if reply.satisfiable == "no":
             return Verdict("refuted", "decision" if names else "algebra")
@@ -233,6 +242,8 @@ class Oracle:
     def _by_decision(
         self, claim: Formula, names: frozenset[str], tester: Tester, tried: int
     ) -> Verdict | None:
+        if hold_together((*self.facts, negation(claim)), self.roles) == "no":
+            return Verdict("proved", "algebra", None, tried)
         reply, world = self._asked((negation(claim),))
         if reply.satisfiable == "no":
             return Verdict("proved", "decision" if names else "algebra", None, tried)
@@ -312,14 +323,27 @@ class Oracle:
         """The signs of an expression at some points: as many as show that it has several."""
         claim = Relation(x, "=")
         tester = tester_of(claim)
+        drawn = (draw.point for draw in self._drawn(tester.letters, 0, FEW))
         seen: set[int] = set()
-        for draw in self._drawn(tester.letters, 0, FEW):
-            sign = tester.signs(draw.point, draw.balls)[0]
+        for point in chain(drawn, self._at_ends(tester.letters)):
+            sign = tester.signs(point)[0]
             if sign is not None:
                 seen.add(sign)
             if len(seen) > 1:
                 break
         return frozenset(seen)
+
+    def _at_ends(self, names: frozenset[str]) -> Iterator[Point]:
+        """The ends of the values that one letter may have, where the facts hold there."""
+        if len(names) != 1 or not self._every.letters <= names:
+            return
+        (name,) = names
+        role = self.roles.get(name, REAL)
+        for end, closed in zip((role.low, role.high), role.closed, strict=True):
+            if closed and end is not None and end.is_Rational:
+                point: Point = {name: Fraction(int(end.p), int(end.q))}
+                if self._every.holds(point) is True:
+                    yield point
 
     def vanishes(self, x: sp.Expr) -> bool:
         """Whether an expression is proved to be zero wherever the facts hold."""

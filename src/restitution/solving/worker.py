@@ -530,7 +530,7 @@ class Worker:
         result = forms.plain(value, samples)
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
             return forms.acute_angle(exact.tidy_angle(result), sign)
-        if is_quantity(tree, "speed") and exact.cost(result) > LONG:
+        if is_quantity(tree, "speed") and _is_long(result):
             return min((result, *self._resolved(tree, branch, now, samples)), key=exact.cost)
         return result
 
@@ -686,3 +686,8 @@ class Worker:
         except RestitutionError:
             return None
         return result if result.holds else None
+
+
+def _is_long(value: sp.Expr) -> bool:
+    """Whether another form of a value may be shorter; of what nobody reads none is looked for."""
+    return exact.cost(value) > LONG and not forms.is_for_a_calculator(value)

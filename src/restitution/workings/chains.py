@@ -385,7 +385,10 @@ class Chains:
         )
         plain = plain and not (calculated and self._figures.has_known(trees[1]))
         plain = plain or (not calculated and self._stays_exact(line, last))
-        plain = plain or (calculated and self._leads_elsewhere(line, last))
+        elsewhere = calculated and self._leads_elsewhere(line, last)
+        if elsewhere and (more := self._figures.rounded_alike(last)) is not None:
+            trees[1:] = [more] * len(links)
+        plain = plain or elsewhere
         ratio = isinstance(links[0].left, Apply) and line.move.id != "define"
         worked = calculated and (ratio or self._only_works_out(line))
         if line.move.id == "put" and self._figures.has_known(trees[1]):

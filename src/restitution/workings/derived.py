@@ -540,8 +540,8 @@ class _Writer:
         ]
         named = title is not None and (title == self.title or _spoken(title) in spoken)
         if self.begins is not None and title is not None and not named:
-            # A second case goes as the first one does.
-            named = self.titles_of_cases.get(self.begins.line) == title
+            # A second case goes as the first one does; of laws each is named, or none.
+            named = self.titles_of_cases.get(self.begins.line) == title and head.move.id != "law"
             self.titles_of_cases.setdefault(self.begins.line, title)
         self.begins = None
         sentences = given or _in_turn(

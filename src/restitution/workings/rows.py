@@ -281,9 +281,10 @@ class Rows(Chains):
         first, *rest = options
         root = None if asked else root_but_for_sign(options)
         if root is not None:
-            subject, size = self._naming.layout(root.left), self._naming.layout(root.right)
+            own = self.in_figures(root)
+            subject, size = self._naming.layout(own.left), self._naming.layout(own.right)
             either = lay.Brackets(size) if isinstance(size, lay.Sum) else size
-            return Row((subject, lay.Phrase((lay.Words("±"), either), "")), ("=",))
+            return Row((subject, lay.Phrase((lay.Words("±"), either), "")), (own.sign,))
         if any(len(chains(option)) > 1 for option in options):
             cases = tuple(
                 say("derived.both", values=tuple(self._bare(e, asked) for e in chains(option)))

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from fractions import Fraction
+from typing import Literal
 
 import sympy as sp
 
 from restitution.explaining.lines.derivation import BEARINGS, Link, Relation
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
+from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
 from restitution.explaining.moves.inequalities import (
     is_at_rest_in,
@@ -17,10 +21,24 @@ from restitution.explaining.moves.inequalities import (
     same_option,
 )
 from restitution.explaining.steps.step import Step
-from restitution.expression.evaluate import enclosed
-from restitution.expression.tree import Apply, Degrees, Expression, Negate, Number, is_binary, walk
-from restitution.oracle import Formula, Oracle
+from restitution.expression.evaluate import enclosed, in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    is_binary,
+    letters,
+    walk,
+)
+from restitution.oracle import REAL, Formula, Oracle
 from restitution.oracle import Relation as Claim
+
+# Of the ends between which a number is: more of them take long, and tell no more.
+_PLACES = 40
 
 
 def are_roots(step: Step, relation: Relation) -> bool:
@@ -190,7 +208,13 @@ def is_rejection(step: Step, relation: Relation) -> bool:
             if not any(is_contradicted(rest, option, link) for link in moving):
                 return False
             continue
-        near = _between_ends(option)
+        near = _between_ends(rest, option)
+        if near is not None:
+            verdict = _by_elimination(rest, known, Relation((option,)))
+            if verdict == "no":
+                continue
+            if verdict == "yes":
+                return False
         if _is_excluded(rest, known, Relation((near or option,))):
             continue
         if near is not None:
@@ -204,7 +228,11 @@ def is_rejection(step: Step, relation: Relation) -> bool:
 
 def _is_impossible(rest: Step, relation: Relation) -> bool:
     """Whether what drops some options excludes all that are kept as well: it is no reason then."""
-    options = tuple(_between_ends(option) or option for option in relation.options)
+    options = tuple(_between_ends(rest, option) or option for option in relation.options)
+    if options != relation.options:
+        verdict = _by_elimination(rest, rest.facts, relation)
+        if verdict != "unknown":
+            return verdict == "no"
     return _is_excluded(rest, rest.facts, Relation(options))
 
 
@@ -214,20 +242,50 @@ def _is_excluded(rest: Step, known: Sequence[Formula], relation: Relation) -> bo
     return oracle.possible.answer == "refuted"
 
 
-def _between_ends(option: tuple[Link, ...]) -> tuple[Link, ...] | None:
+def _by_elimination(
+    rest: Step, known: Sequence[Formula], relation: Relation
+) -> Literal["yes", "no", "unknown"]:
+    """Whether a relation can hold beside what is known, as linear equations alone show."""
+    return Oracle(rest.roles, (*known, rest.formula(relation))).by_elimination
+
+
+def _between_ends(step: Step, option: tuple[Link, ...]) -> tuple[Link, ...] | None:
     """That a value is between two fractions, for one of ratios of angles such as 35°.
 
-    It says less than the value itself. None of any other option.
+    It may be so many times a positive letter, as a component is of a speed. It says less than the
+    value itself. None of any other option.
     """
     match option:
         case (Link(left, "=", right),) if _has_ratios(right):
-            number = enclosed(right)
+            scale = _scale(step, right)
+            number = enclosed(
+                right if scale is None else exchanged(right, {scale: Number(Fraction(1))})
+            )
             if number is None or not number.sign:
                 return None
-            low, high = (
-                Number(end) if end >= 0 else Negate(Number(-end)) for end in number.between
-            )
+            low, high = (_times(end, scale) for end in _shortened(*number.between))
             return Link(low, "<=", left), Link(left, "<=", high)
+    return None
+
+
+def _shortened(low: Fraction, high: Fraction) -> tuple[Fraction, Fraction]:
+    """Two ends with a few dozen places, between which there is a little more."""
+    unit = 10**_PLACES
+    return Fraction(math.floor(low * unit), unit), Fraction(math.ceil(high * unit), unit)
+
+
+def _times(end: Fraction, scale: Letter | None) -> Expression:
+    """An end as a value has it: so many times a letter, or alone."""
+    own = Number(end) if end >= 0 else Negate(Number(-end))
+    return own if scale is None else Binary("*", own, scale)
+
+
+def _scale(step: Step, tree: Expression) -> Letter | None:
+    """The one letter of a value, where that is so many times it, and it is positive."""
+    match sorted(letters(tree)):
+        case [name] if step.roles.get(name, REAL).symbol(name).is_positive:
+            value = in_letters(tree, positive=True) / sp.Symbol(name, positive=True)
+            return None if value.free_symbols else Letter(name)
     return None
 
 

@@ -67,6 +67,8 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
         return line
     if len(symbols) == 1 and _is_of_one_bracket(link, symbols[0].name):
         return line
+    if len(symbols) == 1 and _is_worked_out(scene, link, symbols[0]):
+        return line
     line = _with_plain_squares(scene, line)
     line = with_products_out(scene, line, *symbols)
     line = _squares_cleared(scene, _across(scene, line, symbols), symbols)
@@ -287,6 +289,24 @@ def _is_of_one_bracket(link: Link, name: str) -> bool:
         if len(terms) == 2 and terms.count(Letter(name)) == 1 and not sums:
             return True
     return False
+
+
+def _is_worked_out(scene: Scene, link: Link, symbol: sp.Symbol) -> bool:
+    """Whether a line is linear in its unknown, with roots of ratios such as sin²35° in figures.
+
+    From 0.8805u = 1.242eu a reader has e at once; other letters are common to all terms.
+    """
+    sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
+    roots = [power for side in sides for power in side.atoms(sp.Pow) if not power.exp.is_Integer]
+    if not any(root.has(sp.sin, sp.cos) for root in roots) or any(r.free_symbols for r in roots):
+        return False
+    gap = expanded(sides[0] - sides[1])
+    if gap.has(*(f for f in gap.atoms(sp.Function) if f.free_symbols)):
+        return False
+    numbers = [gap.coeff(symbol, n).factor() for n in (0, 1)]
+    scales = [x.as_independent(*x.free_symbols, as_Add=False)[1] for x in numbers]
+    linear = expanded(gap - numbers[0] - numbers[1] * symbol) == 0
+    return linear and scales[0] == scales[1] and not scales[0].is_Add
 
 
 def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:

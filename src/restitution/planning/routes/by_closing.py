@@ -21,6 +21,7 @@ from restitution.planning.routes.givens import candidate_of, write_impulse_on
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.polynomials import factor_powers, factored, one_fraction
+from restitution.planning.writing.scene import GivenEquation
 
 
 class Closing(ByLaws):
@@ -173,6 +174,39 @@ class Closing(ByLaws):
                 self.back(standing)
         return None
 
+    def _squares_with_momentum(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """Momentum and what is given of the energy: both components, before the coefficient.
+
+        So it is where angles such as 35° make long sums of what both laws say of them.
+        """
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            if given is None or not _is_of_squares(given):
+                continue
+            numbers = {
+                number for symbol, (number, _) in self._letters.items() if symbol in self._open(own)
+            }
+            law = next((e for e in left if e.id in {f"momentum {n}" for n in numbers}), None)
+            if (
+                law is None
+                or len(numbers) != 1
+                or not self._open(own) == self._open(law) == self._after(*numbers).keys()
+            ):
+                continue
+            if not all(map(self._is_by_calculator, (own, law))):
+                continue
+            standing = self.mark()
+            x, y = sorted(self._open(own), key=lambda symbol: symbol.name, reverse=True)
+            momentum, other = (self._line(candidate) for candidate in (law, own))
+            if momentum and other and self._close_both((momentum, other), (x, y)):
+                return law, own
+            self.back(standing)
+        return None
+
+    def _is_by_calculator(self, own: Candidate) -> bool:
+        """Whether an equation has sums with ratios of angles such as 35°."""
+        return any(self.scene.with_values(x)[0].has(sp.sin, sp.cos) for x in own.residuals)
+
     def _wall_of(self, lines: tuple[int, int]) -> int | None:
         """The impact of two laws at a wall."""
         return self.scene.desk.line(lines[0]).move.event
@@ -213,6 +247,15 @@ class Closing(ByLaws):
             self.reasons.append(error)
             return False
         return True
+
+
+def _is_of_squares(given: GivenEquation) -> bool:
+    """Whether a fact is about speeds and energies alone, by which components are squared."""
+    nodes = (node for side in (given.link.left, given.link.right) for node in walk(side))
+    quantities = [node for node in nodes if isinstance(node, Quantity)]
+    return bool(quantities) and all(
+        is_quantity(node, "speed", "energy", "energy_lost") for node in quantities
+    )
 
 
 def _of_equal_roots(equation: sp.Expr) -> sp.Expr | None:

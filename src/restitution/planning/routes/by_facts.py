@@ -314,7 +314,10 @@ class ByFacts(Course):
         signs = {model.sign(model.in_data(symbol)) for model in self.scene.others}
         unknowns = {x for candidate in left for x in self._open(candidate)} - self._letters.keys()
         parted = signs >= {-1, 1} and len(unknowns) > 1
-        plain = all(_is_plain_square(value, symbol) for value in squared)
+        roots = [_root_of_square(value, symbol) for value in squared]
+        if all(root is not None and _needs_a_calculator(root) for root in roots):
+            return False  # with its figures the laws are short, in each of several solutions
+        plain = all(root is not None and _is_plain(root) for root in roots)
         return not plain or (bool(signs) and not parted)
 
     def _is_off_from_rest(self, given: GivenEquation) -> bool:
@@ -447,8 +450,8 @@ class ByFacts(Course):
         return None
 
 
-def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
-    """Whether an equation says that the square of a letter is that of a number or a product."""
+def _root_of_square(equation: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
+    """The size of a letter of which an equation gives the square; None where it gives more."""
     own = [power for power in equation.atoms(sp.Pow) if power.exp == sp.S.Half]
     own = [value for value in own if symbol in value.free_symbols]
     if own:
@@ -459,12 +462,27 @@ def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
     slope = sp.diff(equation, symbol, 2) / 2
     rest = (equation - slope * symbol**2).expand()
     if symbol in slope.free_symbols or symbol in rest.free_symbols:
+        return None
+    return tidy(sp.sqrt(factored(-rest / slope)))
+
+
+def _needs_a_calculator(root: sp.Expr) -> bool:
+    """Whether a root is that of a number with sines such as that of 35°, times plain letters."""
+    number, letters = root.as_independent(*root.free_symbols, as_Add=False)
+    if not number.has(sp.sin, sp.cos) or not number.has(sp.Pow):
         return False
-    root = tidy(sp.sqrt(factored(-rest / slope)))
-    if not root.free_symbols and root.has(sp.sin, sp.cos):
-        return True  # a calculator gives its figures
-    roots = (power for power in root.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q != 1)
-    return not root.has(sp.Add, sp.sin, sp.cos) and not any(root.free_symbols for root in roots)
+    return not letters.has(sp.Add, sp.sin, sp.cos) and not _has_root_of_letters(letters)
+
+
+def _is_plain(root: sp.Expr) -> bool:
+    """Whether a root is a number or a product, and no root of letters."""
+    return not root.has(sp.Add, sp.sin, sp.cos) and not _has_root_of_letters(root)
+
+
+def _has_root_of_letters(root: sp.Expr) -> bool:
+    """Whether letters stand below a root."""
+    powers = (power for power in root.atoms(sp.Pow) if power.free_symbols)
+    return any(not power.exp.is_Integer for power in powers)
 
 
 def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:

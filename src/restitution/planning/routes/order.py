@@ -219,6 +219,7 @@ class Solver(Closing):
             self._fact_expresses,
             self._fact_ties,
             self._law_ties,
+            self._squares_with_momentum,
             self._block,
             self._single,
             self._closing,

@@ -89,6 +89,8 @@ def open_in(value: Angle | Vector | sp.Expr, samples: Samples) -> list[str]:
 
 LONG = 30
 """What there is more to read in, by its cost, is tidied once more."""
+FOR_A_CALCULATOR = 150
+"""A number of so many operations, with ratios such as sin 35°, is told by its digits alone."""
 
 
 def plain(value: Any, samples: Samples) -> Any:
@@ -97,10 +99,20 @@ def plain(value: Any, samples: Samples) -> Any:
         return Vector(plain(value.x, samples), plain(value.y, samples))
     if isinstance(value, Angle):
         return angle(value, samples)
-    plainer = tidy(signed(sp.sympify(value, strict=True), samples))
+    value = signed(sp.sympify(value, strict=True), samples)
+    if is_for_a_calculator(value):
+        return value
+    plainer = tidy(value)
     # With fewer bars, and of what was too long at first, there is more to be taken together.
     again = plainer.has(sp.Abs) or exact.cost(plainer) > LONG
     return exact.tidy(signed(plainer, samples)) if again else plainer
+
+
+def is_for_a_calculator(value: sp.Expr) -> bool:
+    """Whether a value is a long number with ratios of angles such as 35°, that nobody reads."""
+    if value.free_symbols or not value.has(sp.sin, sp.cos, sp.tan):
+        return False
+    return int(sp.count_ops(value)) > FOR_A_CALCULATOR
 
 
 def bound(x: sp.Expr) -> sp.Expr:

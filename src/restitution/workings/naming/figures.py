@@ -345,6 +345,16 @@ class Figures:
                 return tree
         return tree
 
+    def rounded_alike(self, tree: Expression) -> Expression | None:
+        """A long number with as many figures as it takes to round it; None of a short one."""
+        if not self.is_carried(tree) or letters(tree):
+            return None
+        answer = figures_of(tree, FIGURES_OF_ANSWERS)
+        numbers = (figures_of(tree, n) for n in _FIGURES_BEFORE_A_ROUNDING)
+        return next(
+            (own for own in numbers if own and figures_of(own, FIGURES_OF_ANSWERS) == answer), None
+        )
+
     def _more_figures(self, tree: Expression, figures: int) -> dict[Expression, Expression]:
         """The values in a tree that are on paper, with more figures than they have there."""
         if figures == FIGURES_BETWEEN or not self.with_calculator:
@@ -425,7 +435,7 @@ class Figures:
         if not of_plain_angles(tree):
             return False
         quotients = [node for node in walk(tree) if is_binary(node, "/")]
-        return any(_is_longnumber_carried(node) for node in quotients) or (
+        return any(_is_long_fraction(node) for node in quotients) or (
             self._decimals and any(_is_multiple_of_a_ratio(node.right) for node in quotients)
         )
 
@@ -606,7 +616,7 @@ def _has_long_numbers(tree: Expression) -> bool:
     )
 
 
-def _is_longnumber_carried(tree: Binary) -> bool:
+def _is_long_fraction(tree: Binary) -> bool:
     """Whether a quotient is a fraction with a number that is not short, and no short decimal."""
     match tree:
         case Binary("/", Number(above), Number(below)):

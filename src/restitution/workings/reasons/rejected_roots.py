@@ -17,9 +17,9 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Negate, Unit, letters
+from restitution.expression.tree import Apply, Negate, Unit
 from restitution.render import layout as lay
-from restitution.workings.naming.figures import figures_of, is_by_calculator
+from restitution.workings.naming.figures import Figures, is_by_calculator
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.rejected import bound_broken, made_by_a_root, root_of_a_square
@@ -50,7 +50,7 @@ def made_of_a_root(
         return None
     outcomes = map(_with_a_calculator, values or (Relation(((bound,),)),))
     results = tuple(map(naming.relation, outcomes))
-    root = naming.relation(Relation((dropped,)))
+    root = naming.relation(_with_a_calculator(Relation((dropped,))))
     if not values or any(link.sign != "=" for link in values[-1].only):
         return say("derived.would", value=root, results=results, equations=equations)
     allowed: Sentence | lay.Layout
@@ -67,8 +67,8 @@ def _with_a_calculator(relation: Relation) -> Relation:
     """What a letter is with angles such as 37°, in figures; any other relation as it is."""
     match relation.options:
         case ((Link(left, "=", value),),) if is_by_calculator((value,)):
-            number = None if letters(value) else figures_of(value)
-            return relation if number is None else Relation(((Link(left, "≈", number),),))
+            number = Figures(with_calculator=True).outcome(value)
+            return relation if number == value else Relation(((Link(left, "≈", number),),))
     return relation
 
 

@@ -1,0 +1,130 @@
+"""Facts from which letters are eliminated one by one: linear equations of numbers need no more.
+
+With angles such as 35° the numbers are long, and a decision procedure takes seconds for what a
+calculator shows at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+import sympy as sp
+
+from restitution.oracle.formula import All, Formula, Relation, Some, relations
+from restitution.oracle.points import BeyondError
+from restitution.oracle.roles import REAL, Role
+from restitution.oracle.scaled import scaled_sign
+from restitution.oracle.testers import holds_with
+
+# More letters are not eliminated, and longer facts are not taken up.
+_MOST_LETTERS = 12
+_MOST_OPERATIONS = 400
+
+
+def hold_together(
+    facts: Sequence[Formula], roles: Mapping[str, Role]
+) -> Literal["yes", "no", "unknown"]:
+    """Whether facts can hold together, as far as elimination and signs of numbers show it.
+
+    A letter is eliminated by an equation in which it is linear, where what it is multiplied with
+    is certain not to be zero.
+    """
+    left = list(_flat(facts))
+    if sum(int(sp.count_ops(own.value)) for e in left for own in relations(e)) > _MOST_OPERATIONS:
+        return "unknown"
+    bounds: list[Formula] = []
+    for _ in range(_MOST_LETTERS):
+        solved = _solved(left, roles)
+        if solved is None:
+            break
+        equation, symbol, value = solved
+        left.remove(equation)
+        bounds += _bounds(symbol, roles.get(symbol.name, REAL))
+        left = [_put(formula, {symbol: value}) for formula in left]
+        bounds = [_put(formula, {symbol: value}) for formula in bounds]
+    try:
+        truths = [_holds(formula, roles) for formula in _without_loose([*left, *bounds], roles)]
+    except BeyondError:
+        return "unknown"
+    if False in truths:
+        return "no"
+    return "yes" if all(truths) else "unknown"
+
+
+def _flat(facts: Sequence[Formula]) -> Sequence[Formula]:
+    """Facts without an *and* around them."""
+    return [
+        own for fact in facts for own in (_flat(fact.parts) if isinstance(fact, All) else [fact])
+    ]
+
+
+def _solved(
+    facts: Sequence[Formula], roles: Mapping[str, Role]
+) -> tuple[Formula, sp.Symbol, sp.Expr] | None:
+    """An equation that gives a letter, the letter, and what it is; None where there is none."""
+    for fact in facts:
+        if not isinstance(fact, Relation) or fact.operator != "=":
+            continue
+        for symbol in sorted(
+            fact.value.free_symbols, key=lambda s: (_is_bounded(s, roles), s.name)
+        ):
+            slope = sp.diff(fact.value, symbol)
+            if slope.has(symbol) or not scaled_sign(sp.factor_terms(slope), roles):
+                continue
+            value = -fact.value.xreplace({symbol: sp.S.Zero}) / slope
+            return fact, symbol, sp.factor_terms(value)
+    return None
+
+
+def _is_bounded(symbol: sp.Symbol, roles: Mapping[str, Role]) -> bool:
+    """Whether a letter may not be any number: it is eliminated last."""
+    role = roles.get(symbol.name, REAL)
+    return role.low is not None or role.high is not None
+
+
+def _without_loose(facts: Sequence[Formula], roles: Mapping[str, Role]) -> Sequence[Formula]:
+    """Facts without inequalities that a letter satisfies which may be any number, and is alone."""
+    kept: list[Formula] = []
+    for fact in facts:
+        own = fact.value if isinstance(fact, Relation) and fact.operator != "=" else sp.S.Zero
+        others = [value for other in facts if other is not fact for value in relations(other)]
+        if not any(
+            not _is_bounded(symbol, roles)
+            and scaled_sign(sp.factor_terms(sp.diff(own, symbol)), roles)
+            and not any(other.value.has(symbol) for other in others)
+            for symbol in own.free_symbols
+        ):
+            kept.append(fact)
+    return kept
+
+
+def _bounds(symbol: sp.Symbol, role: Role) -> list[Formula]:
+    """What a letter may be, as relations."""
+    ends = ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1]))
+    return [
+        Relation(sense * (symbol - end), ">=" if closed else ">")
+        for end, sense, closed in ends
+        if end is not None
+    ]
+
+
+def _put(formula: Formula, values: Mapping[sp.Symbol, sp.Expr]) -> Formula:
+    """A formula with values put in."""
+    match formula:
+        case Relation(value, operator):
+            put = value.xreplace(values)
+            return formula if put == value else Relation(sp.factor_terms(put), operator)
+        case All(parts):
+            return All(tuple(_put(part, values) for part in parts))
+        case Some(parts):
+            return Some(tuple(_put(part, values) for part in parts))
+
+
+def _holds(formula: Formula, roles: Mapping[str, Role]) -> bool | None:
+    """Whether a formula holds for all letters in it, by the signs of numbers; None if open."""
+    signs = {own.value: scaled_sign(own.value, roles) for own in relations(formula)}
+    return holds_with(formula, signs)
+
+
+__all__ = ["hold_together"]
