@@ -346,3 +346,19 @@ find speed(P)
 """
     said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
     assert "W is at 180° − 130° = 50° to −𝐢. Components before the impact:" in said
+
+
+def test_a_speed_is_kept_at_each_elastic_wall() -> None:
+    statement = """
+wall AB: along i
+wall BC: along 120°
+wall CA: along 60°
+sphere P: velocity u at alpha to AB
+P hits AB: e = 1
+P hits BC: e = 1
+given alpha < 60°
+find speed(P)
+"""
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert "BC is perfectly elastic, so P keeps its speed: speed of P after the second" in said
+    assert "√" not in said

@@ -129,3 +129,28 @@ def test_a_velocity_along_one_slant_is_resolved_by_the_angle_between_slants_at_a
     assert "A moves perpendicular to the line of centres of its last impact, at 30° to" in text
     assert "𝐯_A1 · 𝐧₂ = (u/2) cos 30° = √3 u/4" in text
     assert "𝐯_A1 · 𝐭₂ = −(u/2) sin 30° = −u/4" in text
+
+
+STRUCK = """
+sphere A: mass 4, velocity 3i + 2j
+sphere B: mass 2, at rest
+wall W: along i + j
+A hits B: along i, e = 1/2
+B hits W
+part a
+find velocity(A, 1), velocity(B, 1)
+part b
+given speed(B, 2) = speed(A, 1)
+find e
+part c
+given e = sqrt(14)/6
+find angle(velocity(B), velocity(A))
+"""
+
+
+def test_the_normal_of_a_wall_points_towards_it_for_who_was_struck() -> None:
+    text = " ".join(to_text(explain(solve(parse(STRUCK)), check=True), 100).split())
+    assert "𝐧 = (𝐢 − 𝐣)/√2 be the unit vector perpendicular to W, towards it" in text
+    assert "Components before the impact, as 𝐯_B1 = 3𝐢 from part (a): 𝐯_B1 · 𝐧 = 3(√2/2)" in text
+    assert text.count("B was at rest") == 1
+    assert "cos β = ((42 + √14)/8)/((5/2) × (5/2))" in text

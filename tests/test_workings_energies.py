@@ -105,3 +105,15 @@ def test_what_is_lost_is_what_is_not_kept() -> None:
     )
     assert "not kept, with the ratio of the energies from part (a): " in text
     assert "percentage lost = 1 − ⅓ = ⅔ ≈ 66.7% B1ft" in text
+
+
+def test_a_given_speed_is_compared_with_that_of_the_energy_that_is_given() -> None:
+    text = printed(
+        "wall W: along j\nsphere Q: mass 2m, velocity 3v at theta\nQ hits W: e = e\n"
+        "given energy(Q) = 4/9 energy(Q, 0), speed(Q) = 4v sin(theta)\n"
+        "part a\nfind theta\npart b\nfind e"
+    )
+    first, _, second = text.partition("(b)")
+    assert "4v sin θ = 2v" in first
+    assert "Newton" not in first
+    assert "e² = 7/27" in second

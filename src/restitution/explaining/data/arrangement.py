@@ -48,6 +48,8 @@ from restitution.solving.story.letters import roles
 
 _PLAIN = 12
 """So many events may come before a velocity of which the direction is plain."""
+_FEW_IMPACTS = 3
+"""So many impacts of spheres may be worked out for it."""
 
 _AXES: Mapping[Expression, Expression] = {
     Unit("i"): Unit("j"),
@@ -278,7 +280,7 @@ class Arrangement:
         world, by_places = self.world(), self._is_placed_beyond(step, normal)
         try:
             velocity, axis = (
-                self.velocity_before(step.first, number, world),
+                self.velocity_before(step.first, number, world, through_spheres=True),
                 world.direction(normal),
             )
             if velocity is None or axis is None:
@@ -325,17 +327,23 @@ class Arrangement:
         except NotComparableError:
             return None
 
-    def velocity_before(self, body: str, number: int, world: World) -> Plane | None:
-        """The velocity before an event: the one given, turned back by walls on the way.
+    def velocity_before(
+        self, body: str, number: int, world: World, *, through_spheres: bool = False
+    ) -> Plane | None:
+        """The velocity before an event: the one given, changed by walls and blows on the way.
 
-        None where another sphere, or a blow, comes in between.
+        None where another sphere comes in between, unless impacts of which the line of centres is
+        told are worked out too, ``through_spheres``.
         """
-        given = next(sphere.velocity for sphere in self.problem.spheres if sphere.name == body)
+        given = self.sphere(body).velocity
         value = world.value(given) if isinstance(given, Expression) else None
         for event, step in enumerate(self.problem.events, 1):
             if event == number or not isinstance(value, Plane):
                 break
             if body not in self.events[event - 1].bodies or isinstance(step, Arrival):
+                continue
+            if isinstance(step, Impact) and not self.events[event - 1].wall and through_spheres:
+                value = self._after_spheres(step, event, body, value, world)
                 continue
             if isinstance(step, Kick):
                 push = world.value(step.impulse)
@@ -353,6 +361,28 @@ class Arrangement:
             factor = (CONSTANT(1) + e) * dot(world, value, axis) / dot(world, axis, axis)
             value = Plane(value.x - factor * axis.x, value.y - factor * axis.y)
         return value if isinstance(value, Plane) else None
+
+    def _after_spheres(
+        self, step: Impact, number: int, body: str, velocity: Plane, world: World
+    ) -> Plane | None:
+        """A velocity after an impact with another sphere; None of a line that is not told."""
+        other = step.second if body == step.first else step.first
+        early = sum(not event.wall for event in self.events[: number - 1])
+        theirs = None
+        if early < _FEW_IMPACTS:
+            theirs = self.velocity_before(other, number, world, through_spheres=True)
+        axis = None if step.along is None else world.direction(step.along)
+        masses = [self.sphere(name).mass for name in (body, other)]
+        if theirs is None or axis is None:
+            return None
+        own, against = (world.scalar(e) if isinstance(e, Expression) else None for e in masses)
+        if own is None or against is None:
+            return None
+        e = world.scalar(Letter("e") if step.e is None else step.e)
+        relative = Plane(theirs.x - velocity.x, theirs.y - velocity.y)
+        share = (CONSTANT(1) + e) * against / (own + against)
+        factor = share * dot(world, relative, axis) / dot(world, axis, axis)
+        return Plane(velocity.x + factor * axis.x, velocity.y + factor * axis.y)
 
     def approach(self, first: Sphere, second: Sphere, axis: Expression) -> int | None:
         """In which sense of an axis the first sphere comes nearer to the second at the start."""

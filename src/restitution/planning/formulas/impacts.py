@@ -578,7 +578,7 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
         return scene.desk.write(move, refs, relation)
     e = scene.coefficient(frame.number)
     move = Move("law", "restitution-wall", frame.number, (body,))
-    left, right = tree_of(later.value), tree_of(earlier.value)
+    left, right = tree_of(later.value), tree_in_law(earlier)
     back = product(tree_of(e.value), negative(right))
     if scene.model.sign(later.value) < 0:
         if isinstance(right, Negate) and e.value != 1:

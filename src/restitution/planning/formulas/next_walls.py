@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
@@ -10,7 +11,7 @@ import sympy as sp
 from restitution.exact import tidy, tidy_angle
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.definitions.next_walls import made_of
-from restitution.explaining.lines.derivation import Move, MoveId, Ref, Showing
+from restitution.explaining.lines.derivation import Move, MoveId, Ref, Showing, numbers_in
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     RIGHT_ANGLE,
@@ -244,14 +245,7 @@ def _speed(scene: Scene, body: str, stage: int) -> Source | None:
         return known
     if scene.coefficient(stage).value != 1:
         return _by_what_stays(scene, speed, body, stage)
-    last = scene.last_event(body, stage - 1)
-    if last:
-        before = scene.desk.known(Quantity("speed", (Name(body),), last))
-    else:
-        fact = scene.facts.get(f"velocity {body}")
-        right = None if fact is None else fact.relation.only[0].right
-        size = right.size if isinstance(right, Polar) else None
-        before = None if size is None else Source(scene.scalar(size), (f"velocity {body}",))
+    before = _speed_before(scene, body, scene.last_event(body, stage - 1))
     if before is None:
         return None
     move = Move("define", "speed", stage, (body,))
@@ -260,6 +254,41 @@ def _speed(scene: Scene, body: str, stage: int) -> Source | None:
     if refs is None:
         return None
     return scene.desk.know(speed, before.value, (scene.desk.write(move, refs, relation),))
+
+
+def _speed_before(scene: Scene, body: str, last: int) -> Source | None:
+    """A speed with which a body comes to a wall: by a line, of the data, or kept at walls."""
+    if last:
+        known = scene.desk.known(Quantity("speed", (Name(body),), last))
+        return known or (_speed(scene, body, last) if _is_elastic(scene, last) else None)
+    fact = scene.facts.get(f"velocity {body}")
+    right = None if fact is None else fact.relation.only[0].right
+    size = right.size if isinstance(right, Polar) else None
+    return None if size is None else Source(scene.scalar(size), (f"velocity {body}",))
+
+
+def _is_elastic(scene: Scene, number: int) -> bool:
+    """Whether an impact is one with a wall that has e = 1."""
+    frame = scene.model.frames.get(number)
+    return frame is not None and frame.wall is not None and scene.coefficient(number).value == 1
+
+
+def speed_kept(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a speed after walls with e = 1, which is that before; None of any other."""
+    match asked:
+        case Quantity("speed", (Name(body),), int(stage)):
+            last = scene.last_event(body, stage)
+        case _:
+            return None
+    if scene.desk.known(replace(asked, stage=last)) is not None or not _is_elastic(scene, last):
+        return None
+    mark = scene.desk.mark()
+    own = _speed(scene, body, last)
+    line = None if own is None else next(iter(numbers_in(own.refs)), None)
+    if own is None or scene.unknown(own.value) or line is None:
+        scene.desk.back(mark)
+        return None
+    return line
 
 
 def _by_what_stays(scene: Scene, speed: Quantity, body: str, stage: int) -> Source | None:
@@ -285,4 +314,10 @@ def _by_what_stays(scene: Scene, speed: Quantity, body: str, stage: int) -> Sour
     return scene.desk.know(speed, value, (scene.desk.write(move, refs, relation),))
 
 
-__all__ = ["angle_to_a_wall", "component_by_angle", "standing_angle", "turn_of_wall"]
+__all__ = [
+    "angle_to_a_wall",
+    "component_by_angle",
+    "speed_kept",
+    "standing_angle",
+    "turn_of_wall",
+]

@@ -77,10 +77,36 @@ def speed_by_a_share(scene: Scene, speed: Quantity) -> int | None:
 
     None where the fact gives no share in numbers of the energy just before it.
     """
+    if known_speed(scene, *body_and_stage(scene, speed)) is not None:
+        return None
+    return _by_a_share(scene, speed)
+
+
+def speed_compared(scene: Scene, equation: GivenEquation) -> tuple[int, sp.Symbol] | None:
+    """A given speed in one unknown, compared with that of the energy which is given too.
+
+    The line, and the unknown. None of another fact, and where no energy tells the speed.
+    """
+    match equation.link:
+        case Link(Quantity("speed") as speed, "=", right) if not has_quantity(right):
+            value, more = scene.put(scene.scalar(right))
+        case _:
+            return None
+    unknown = scene.unknown(value)
+    if len(unknown) != 1 or scene.desk.known(speed) is not None:
+        return None
+    line = _by_a_share(scene, speed)
+    if line is None:
+        return None
+    relation = equality(swept(tree_of(value) if more else right), scene.desk.last_link(line).right)
+    number = scene.judge.write((Move("put"),), (*equation.refs, line, *more), relation)
+    return None if number is None else (number, *unknown)
+
+
+def _by_a_share(scene: Scene, speed: Quantity) -> int | None:
+    """The lines of a speed by the share of the energy that is given."""
     body, stage = body_and_stage(scene, speed)
     if tuple(scene.model.story.spheres) != (body,) or stage not in scene.model.frames:
-        return None
-    if known_speed(scene, body, stage) is not None:
         return None
     for equation in scene.given:
         share = _share_left(scene, equation.link, body, stage)
@@ -144,4 +170,4 @@ def _written(
 
 _RECORDS = {"energy_lost": "energy-lost", "total_energy_lost": "total-lost"}
 
-__all__ = ["as_a_loss", "speed_by_a_fact"]
+__all__ = ["as_a_loss", "speed_by_a_fact", "speed_compared"]

@@ -16,6 +16,7 @@ from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.systems import solve_together
 from restitution.planning.formulas.impacts import residual
+from restitution.planning.formulas.shares_left import speed_compared
 from restitution.planning.routes.by_laws import ByLaws
 from restitution.planning.routes.givens import candidate_of, write_impulse_on
 from restitution.planning.writing.candidates import Candidate
@@ -92,6 +93,17 @@ class Closing(ByLaws):
             number = self._line(own)
             if number is not None and self._closes(number, symbol):
                 return (own,)
+        return None
+
+    def _speed_compared(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A given speed in one unknown, which an energy that is given tells without the laws."""
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            standing = self.mark()
+            compared = None if given is None else speed_compared(self.scene, given)
+            if compared is not None and self._closes(*compared):
+                return (own,)
+            self.back(standing)
         return None
 
     def _is_place(self, own: Candidate) -> bool:

@@ -57,6 +57,7 @@ from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import loss_by_given_speeds, speed_by_its_energy
 from restitution.planning.formulas.fractions_lost import share_by_given_speed
 from restitution.planning.formulas.impacts import after
+from restitution.planning.formulas.next_walls import speed_kept
 from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.formulas.shares_left import speed_by_a_fact
 from restitution.planning.journeys import journeys
@@ -133,7 +134,8 @@ def _at_once(scene: Scene, asked: Expression) -> int | None:
     if not isinstance(asked, Quantity):
         return share_by_given_speed(scene, asked)
     loss = loss_by_given_speeds(scene, asked)
-    return loss or speed_by_a_fact(scene, asked) or write_given_share(scene, asked)
+    speed = speed_by_a_fact(scene, asked) or speed_kept(scene, asked)
+    return loss or speed or write_given_share(scene, asked)
 
 
 def _determine(scene: Scene, solver: Solver, asked: Expression, *, placed: bool) -> None:

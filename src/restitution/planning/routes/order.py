@@ -214,6 +214,7 @@ class Solver(Closing):
             self._velocity_given,
             self._coefficient_given,
             self._direction_given,
+            self._speed_compared,
             self._resolved,
             self._wall,
             self._fact_expresses,

@@ -56,7 +56,19 @@ def short_direction(vector: Vector, sign: Callable[[sp.Expr], int]) -> Vector | 
     if not ratio.is_number:
         return None
     short = plain_direction(Vector(sp.Integer(1), ratio))
-    return short if sign(x) == sign(short.x) else -short
+    short = short if sign(x) == sign(short.x) else -short
+    if ratio.is_Rational:
+        return short
+    # The same without its common number: (6 − √14)i + (6 + √14)j, and not 11i + (25 + 6√14)j.
+    parts = [tidy(sp.expand(part)) for part in vector]
+    common = _content(parts)
+    return min(short, Vector(*(tidy(part / common) for part in parts)), key=_length_of_numbers)
+
+
+def _length_of_numbers(direction: Vector) -> sp.Expr:
+    """How large the numbers are in the terms of a vector."""
+    terms = [t for part in direction for t in sp.Add.make_args(sp.expand(part))]
+    return sp.Add(*(max(sp.fraction(abs(t.as_coeff_Mul()[0]))) for t in terms))
 
 
 def has_nested_roots(*parts: sp.Expr) -> bool:

@@ -161,6 +161,8 @@ class Carried:
         *above, last = sentences or (None,)
         if lines and last is not None and last.id in _PUTTING:
             last, lines = self._put(last, lines)
+        if last is not None and last.id == "resolved.before-vector" and len(lines) == 1:
+            last, lines = self._with_its_part(last, lines)
         spoken = tuple(filter(None, (*above, last)))
         if not lines:
             return spoken, None
@@ -179,6 +181,15 @@ class Carried:
         """Whether lines of one part say components, by these names."""
         parts = {self._ends.part(line) for line in lines}
         return len(parts) == 1 and all(tuple(_resolved(line)) for line in lines)
+
+    def _with_its_part(self, sentence: Sentence, lines: list[Line]) -> tuple[Sentence, list[Line]]:
+        """A velocity of one component with the part that has the letter for that."""
+        (line,) = lines
+        label = self._ends.part(line)
+        slots = dict(sentence.slots)
+        if label is None or not self._is_a_component(line):
+            return sentence, lines
+        return say("resolved.before-vector-from", **slots, label=label), []
 
     def _put(self, sentence: Sentence, lines: list[Line]) -> tuple[Sentence, list[Line]]:
         """A sentence that names what is put in with the part from which that is; and the rest."""

@@ -68,8 +68,10 @@ class LinesAround:
             return False
         places = self._off.setdefault((body, stage), [place])
         above = places[-1]
-        if isinstance(place, Line) and isinstance(above, Line) and above.number == place.number - 1:
-            places.append(place)
+        if isinstance(place, Line) and isinstance(above, Line):
+            parts = [self._derivation.asked.get(own.item or "") for own in (above, place)]
+            if above.number == place.number - 1 and parts[0] == parts[1]:
+                places.append(place)
         return place in places
 
     def _is_direct(self, event: Event | None) -> bool:

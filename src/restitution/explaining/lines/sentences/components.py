@@ -46,6 +46,9 @@ SENTENCES: Mapping[str, str] = {
     "resolved.several-products": "scalar products",
     "resolved.one-product": "scalar product",
     "resolved.before-vector": "{components:capital} before the impact, as {vector}:",
+    "resolved.before-vector-from": (
+        "{components:capital} before the impact, as {vector} from part ({label}):"
+    ),
     "resolved.products-before": (
         "{products:capital} with {vector}, along the line of centres, before the impact:"
     ),
