@@ -496,3 +496,22 @@ def test_a_multiple_of_one_cosine_stays_exact() -> None:
     )
     assert "(5/17)(15 − 2e) cos 40°" in text
     assert "(75/17)(1 + e) cos 40°" in text
+
+
+def test_a_factor_of_all_coefficients_stands_before_a_bracket() -> None:
+    text = checked(
+        "sphere A, B: mass 3\nsphere A: velocity 6 at 52°\nsphere B: velocity 3 at 125°\n"
+        "A hits B: along i\nfind energy_lost"
+    )
+    assert "≈ 21.99(1 − e²) J" in text
+    assert "5.415 − w + v ≈ 5.415(1 − e)" in text
+
+
+@pytest.mark.parametrize("turn", ["20°", "25°", "110°"])
+def test_components_along_a_wall_at_an_angle_follow(turn: str) -> None:
+    """Of (i − j) along 20° the exact value is √2 cos 25°."""
+    text = checked(
+        f"wall W: along {turn}\nsphere P: velocity 2i - 2j\nP hits W: e = 3/4\n"
+        "find angle(velocity(P), W)"
+    )
+    assert "does not follow" not in text

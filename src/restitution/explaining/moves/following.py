@@ -52,7 +52,8 @@ def follows(step: Step, relation: Relation) -> bool:
     """
     if _follows(step, relation):
         return True
-    if step.move.id != "law":
+    is_component = step.move.id == "define" and step.move.record == "component"
+    if step.move.id != "law" and not is_component:
         return False
     by_degrees = frozenset({*step.identities, "degrees"})
     if (
