@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import Link, Meaning, Move, Relatio
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -329,7 +330,12 @@ class Premises:
         return next((form for form in forms if self._is_up_to(world, form, sp.pi / 2)), None)
 
     def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:
-        """Whether an angle of the data is from zero to a bound, as angles of directions are."""
+        """Whether an angle of the data is from zero to a bound, as angles of directions are.
+
+        Where its cosine is positive, as that of 2θ for a path, it has only to be below 180°.
+        """
+        if Link(Apply("cos", angle), ">", Number(Fraction(0))) in self.links:
+            most = sp.pi
         value = world.expression(world.scalar(angle), self.setting.roles)
         oracle = Oracle(self.setting.roles)
         return all(

@@ -160,11 +160,12 @@ def _left_along_the_wall(
 
 
 def _by_its_ratio(scene: Scene, given: Source) -> Source:
-    """An angle of which a ratio is given, by the inverse of that."""
-    if str(given.value) not in scene.ratio_facts:
+    """An angle of which a ratio is given, or twice such a one, by the inverse of that."""
+    count, letter = given.value.as_coeff_Mul()
+    if str(letter) not in scene.ratio_facts:
         return given
-    line = inverse_of_data(scene, str(given.value))
-    value = scene.scalar(scene.desk.last_link(line).right)
+    line = inverse_of_data(scene, str(letter))
+    value = count * scene.scalar(scene.desk.last_link(line).right)
     return Source(value, together(given.refs, (line,)))
 
 
@@ -181,7 +182,7 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     assert isinstance(body, Name)
     fact = scene.facts.get(f"velocity {body.name}")
     given, line = None, scene.facts.get(f"wall {wall}")
-    refs = [f"velocity {body.name}"]
+    refs = [ref for ref in (f"velocity {body.name}", f"path {body.name}") if ref in scene.facts]
     match fact.relation.only[0].right if fact is not None else None:
         case Polar(_, angle, wall=Name(name)) if name == wall:
             given = angle

@@ -14,6 +14,7 @@ from restitution import exact
 from restitution.exact import tidy
 from restitution.exact.degrees import tangent as tangent_of_angle
 from restitution.explaining.lines.derivation import Line, Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -464,12 +465,16 @@ def by_tangents(
     if given is None and all(_tangent(term) == term.tangent for term in terms):
         return number
     tangents = [term.tangent for term in terms]
+    by_one = _by_one_multiple(scene, form, tangents)
     both = scene.scalar(product(*tangents))
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
+    both_tree = both_tree if by_one is None else by_one[0]
     put = swept(tangent_of(form, tangents[0], tangents[1], both_tree))
     own_value = _in_its_tangents(scene, form, tangents)
     final = tree_of(tidy(scene.scalar(put)))
-    if own_value is not None and any(is_function(node, "sin", "cos") for node in walk(final)):
+    if by_one is not None:
+        final = by_one[1]
+    elif own_value is not None and any(is_function(node, "sin", "cos") for node in walk(final)):
         final = tree_of(own_value, as_it_is=True)
     if not asked and given is None:
         # The value that is given stays where it stands.
@@ -484,6 +489,36 @@ def by_tangents(
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
 
 
+def _by_one_multiple(
+    scene: Scene, form: Form, tangents: Sequence[Expression]
+) -> tuple[Expression, Expression] | None:
+    """The product of two tangents that are multiples of tan 2α, and that of the angle, by that.
+
+    None where no such tangent stands in them, or several.
+    """
+    nodes = {node for tree in tangents for node in walk(tree) if is_function(node, "tan")}
+    if len(nodes) != 1:
+        return None
+    (ratio,) = nodes
+    assert isinstance(ratio, Apply)
+    if isinstance(ratio.argument, Letter) or not letters(ratio):
+        return None
+    t = sp.Symbol("t", positive=True)
+    p, q = (scene.worth(exchanged(tree, {ratio: Letter("t")}), {"t": t}) for tree in tangents)
+    if (p * q).free_symbols != {t}:
+        return None
+    whole = tidy(_tangent_by(form, p, q))
+    by_letter = (tree_of(tidy(p * q)), tree_of(whole))
+    both, own = (exchanged(tree, {Letter("t"): ratio}) for tree in by_letter)
+    return both, own
+
+
+def _tangent_by(form: Form, p: sp.Expr, q: sp.Expr) -> sp.Expr:
+    """The tangent of an angle by those of the two of which it is made."""
+    both = p * q - 1 if form == "rest of sum" else 1 - p * q if form == "sum" else 1 + p * q
+    return ((p + q) if "sum" in form else (p - q) if form == "difference" else (q - p)) / both
+
+
 def _in_its_tangents(scene: Scene, form: Form, tangents: Sequence[Expression]) -> sp.Expr | None:
     """The tangent of an angle by two others, in the tangents of letters in these; None without."""
     values = [in_tangents(scene.scalar(tangent)) for tangent in tangents]
@@ -492,10 +527,8 @@ def _in_its_tangents(scene: Scene, form: Form, tangents: Sequence[Expression]) -
         return None
     letters_ = {tangent: sp.Dummy(positive=True) for tangent in own}
     p, q = (value.xreplace(letters_) for value in values)
-    both = p * q - 1 if form == "rest of sum" else 1 - p * q if form == "sum" else 1 + p * q
-    above = p + q if "sum" in form else p - q if form == "difference" else q - p
     back = {letter: tangent for tangent, letter in letters_.items()}
-    return tidy(above / both).xreplace(back)
+    return tidy(_tangent_by(form, p, q)).xreplace(back)
 
 
 def _with_values(

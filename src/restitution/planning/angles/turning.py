@@ -23,8 +23,10 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     Unit,
+    is_function,
     letters,
     unsigned,
+    walk,
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.at_sight import angle_at_sight
@@ -307,6 +309,9 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
     tree = Apply(function, Letter(own.letter))
     if own.function == function:
         value, line = own.value, own.line
+        right = scene.desk.last_link(line).right
+        if any(is_function(node, "tan") for node in walk(right)):
+            return line, chain(tree, (right, None))  # in tan 2α, as the line has it
     else:
         at = {"tan": sp.atan, "cos": sp.acos, "sin": sp.asin}[own.function](own.value)
         if own.function == "tan" and _sign_of_tangent(scene, own) < 0:

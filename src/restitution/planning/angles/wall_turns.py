@@ -28,6 +28,7 @@ from restitution.planning.writing.angles import angle_of_approach, data_of_appro
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 
@@ -145,10 +146,10 @@ def given_at_a_wall(
     letter, meaning = letter_of(scene, after)
     own = formula(scene, after)
     cited = together(equation.refs, data, (meaning,))
-    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
-    degrees = None if known is None else tree_of(known.value, angle=True)
-    if known is not None and isinstance(degrees, Degrees):
-        angle, cited = degrees, together(cited, known.refs)
+    worth = scene.desk.known(angle) if isinstance(angle, Letter) else None
+    degrees = None if worth is None else tree_of(worth.value, angle=True)
+    if worth is not None and isinstance(degrees, Degrees):
+        angle, cited = degrees, together(cited, worth.refs)
     if isinstance(angle, Degrees) or turned.free_symbols:
         rest = tidy(turned - scene.scalar(angle))
         final = tree_of(rest, angle=True)
@@ -162,7 +163,8 @@ def given_at_a_wall(
         if premises is not None:
             line = scene.desk.write(move, premises, relation)
             relation = chain(Apply("tan", final), (swept(own.right), None))
-            refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation)
+            known = (*data, *background(scene, letters(angle)))
+            refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation, known)
             if refs is not None:
                 return scene.desk.write(own.move, refs, relation)
         scene.desk.back(mark)

@@ -266,6 +266,8 @@ def _tangent(scene: Scene, equation: GivenEquation, own: Formula) -> int:
         backwards or not scene.judge.follows(own.move, premises, relation)
     ):
         raise NotPlannedError("to which side a sphere turns is open")
+    if own.move.record == "scalar-angle":
+        premises = scene.judge.needed(own.move, premises, relation, equation.refs) or premises
     return scene.desk.write(own.move, premises, relation)
 
 

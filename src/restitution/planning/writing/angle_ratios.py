@@ -13,7 +13,7 @@ from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Fact, Link, Move, MoveId, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
-from restitution.planning.writing.forms import ONE, square, total, tree_of
+from restitution.planning.writing.forms import ONE, TWO, difference, product, square, total, tree_of
 from restitution.planning.writing.judging import Judge
 
 
@@ -180,6 +180,62 @@ def ratio_of_degrees(scene: Angles, asked: Apply) -> Source | None:
         last = chain(asked, (tree_of(value), None))
         number = scene.desk.write(Move("rearrange"), (number,), last)
     return scene.desk.know(asked, value, (number,))
+
+
+def ratio_of_a_double(scene: Angles, ratio: sp.Expr) -> Source | None:
+    """The sine, cosine or tangent of twice an angle of which a ratio is known as a number.
+
+    Sine and cosine are written in one place.
+    """
+    count, symbol = ratio.args[0].as_coeff_Mul()
+    if count != 2 or not symbol.is_Symbol or symbol not in scene.model.final:
+        return None
+    if (scene.model.final[symbol] / sp.pi).is_Rational:
+        return None
+    name, double = type(ratio).__name__, product(TWO, Letter(symbol.name))
+    known = scene.desk.known(Apply(name, double))
+    if known is not None:
+        return known
+    for own in ("tan",) if name == "tan" else ("sin", "cos"):
+        _write_double(scene, own, Letter(symbol.name))
+    return scene.desk.known(Apply(name, double))
+
+
+def _write_double(scene: Angles, name: str, letter: Letter) -> None:
+    """The line of a ratio of twice an angle, by the tangent of that or by its sine and cosine."""
+    ratios = {own: Apply(own, letter) for own in ("sin", "cos", "tan")}
+    known = {own: scene.desk.known(tree) for own, tree in ratios.items()}
+    by_both = all(known[own] is not None for own in ("sin", "cos")) and name != "tan"
+    used = ("sin", "cos") if by_both else ("tan",)
+    sources = {own: source for own in used if (source := known[own]) is not None}
+    values = {own: source.value for own, source in sources.items()}
+    if len(values) < len(used) or not all((value**2).is_Rational for value in values.values()):
+        return
+    numbers = {own: tree_of(value) for own, value in values.items()}
+    by_letter, by_number = (_of_a_double(name, trees) for trees in (ratios, numbers))
+    if not by_both:
+        by_letter = _of_a_double(name, {"tan": ratios["tan"]})
+    final = tree_of(tidy(scene.scalar(by_number)))
+    asked = Apply(name, product(TWO, letter))
+    relation = chain(asked, (by_letter, None), (by_number, "put"), (final, "rearrange"))
+    refs = dict.fromkeys(ref for source in sources.values() for ref in source.refs)
+    number = scene.judge.write((Move("identity", "double-angle"),), refs, relation)
+    if number is not None:
+        scene.desk.know(asked, scene.scalar(final), (number,))
+
+
+def _of_a_double(ratio: str, trees: Mapping[str, Expression]) -> Expression:
+    """A ratio of twice an angle: by its sine and cosine, or by its tangent where these are none."""
+    if "sin" in trees and ratio == "sin":
+        return product(TWO, trees["sin"], trees["cos"])
+    if "sin" in trees and ratio == "cos":
+        return difference(square(trees["cos"]), square(trees["sin"]))
+    t = trees["tan"]
+    twice, squared = product(TWO, t), square(t)
+    if ratio == "tan":
+        return Binary("/", twice, difference(ONE, squared))
+    above = twice if ratio == "sin" else difference(ONE, squared)
+    return Binary("/", above, total((ONE, squared)))
 
 
 def _in_numbers(

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
     Polar,
     Unit,
     has_unit_vector,
@@ -69,8 +70,10 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
     return None
 
 
-def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
+def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Expression | None:
     """The angle to a wall at which a body comes, where the data tell it as a letter or in degrees.
+
+    It may be a multiple of a letter, such as 2θ.
 
     The velocity may be given by that angle, or by one to a direction of the plane.
     """
@@ -86,12 +89,19 @@ def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees
             # One along an axis is read off: u at θ to a wall that makes θ with it.
             plain = isinstance(right, Polar) or isinstance(line, Letter)
             angle = angle_to_a_line(scene, body, line) if plain else None
-    return angle if isinstance(angle, Letter | Degrees) else None
+    match angle:
+        case Letter() | Degrees() | Binary("*", Number(), Letter()):
+            return angle
+    return None
 
 
 def data_of_approach(scene: Scene, body: str, frame: Frame) -> tuple[str, ...]:
-    """The facts that tell the angle at which a body comes to a wall."""
-    velocity = f"velocity {body}"
+    """The facts that tell the angle at which a body comes to a wall.
+
+    That of a path such as 2θ is acute is one of its own.
+    """
+    velocity, path = f"velocity {body}", f"path {body}"
     right = scene.facts[velocity].relation.only[0].right
+    more = (path,) if path in scene.facts else ()
     by_the_wall = isinstance(right, Polar) and right.wall is not None
-    return (velocity,) if by_the_wall else (velocity, f"wall {frame.wall}")
+    return (velocity, *more) if by_the_wall else (velocity, f"wall {frame.wall}", *more)

@@ -32,6 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.angle_ratios import (
     RECIPROCALS,
+    ratio_of_a_double,
     write_complement,
     write_other_ratio,
     write_ratios,
@@ -426,7 +427,7 @@ class Scene:
         """The number that a sine, cosine or tangent is by the data, written down when wanted."""
         (argument,) = ratio.args
         if not argument.is_Symbol:
-            return None
+            return ratio_of_a_double(self, ratio)
         if self._is_basic(argument) and self._ratio_fact(argument) is None:
             return None
         tree = Apply(type(ratio).__name__, plain_letter(argument.name))
@@ -455,9 +456,8 @@ class Scene:
         """Whether an angle is known as the inverse of a ratio only, in letters that are known."""
         known = self.desk.known(plain_letter(symbol.name))
         value = None if known is None else sp.sympify(known.value, strict=True)
-        if value is None or not value.atoms(sp.atan, sp.asin, sp.acos):
-            return False
-        return not self.unknown(value)
+        is_inverse = value is not None and value.atoms(sp.atan, sp.asin, sp.acos)
+        return bool(is_inverse) and not self.unknown(value)
 
     def _angle(self, ratio: sp.Expr) -> Source | None:
         """A ratio of angles that are known, as numbers or by others."""

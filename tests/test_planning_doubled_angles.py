@@ -1,0 +1,95 @@
+"""Paths at twice an angle to a wall: ratios of 2θ come of those of θ, and so do deflections.
+
+Each working is followed line by line.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import printed_with
+
+CASES = {
+    "the tangent of the angle afterwards tells the components before": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at 2theta to W
+P hits W: e = 4/9
+given angle(velocity(P), W) = theta
+part a
+find tan(theta)
+part b
+find speed(P) in terms of u
+part c
+find impulse
+""",
+        (
+            "tan θ = ⅓, as θ is acute (3)",
+            "sin θ = √10/10 cos θ = 3√10/10",
+            "sin 2θ = 2 sin θ cos θ = 2(√10/10) × (3√10/10) = ⅗",
+            "cos 2θ = cos²θ − sin²θ = (3√10/10)² − (√10/10)² = ⅘",
+            "√((4u/15)² + (4u/5)²) = 4√10 u/15",
+            "m(4u/15 + 3u/5) = 13mu/15",
+        ),
+    ),
+    "a deflection less the angle before is the angle afterwards": (
+        """
+wall W: along j
+sphere B: mass m, velocity 10 at 2beta to W
+B hits W: e = 3/8
+given deflection(B) = 3 beta
+find cos(2 beta), speed(B)
+""",
+        (
+            "θ = 3β − 2β = β",
+            "tan β = ((15/4) sin 2β)/(10 cos 2β)",
+            "cos 2β = cos²β − sin²β = (2√5/5)² − (√5/5)² = ⅗",
+            "speed of B = √(3² + 6²) = 3√5",
+        ),
+    ),
+    "a deflection is the sum of both angles": (
+        """
+wall V: along i
+sphere S: mass m, velocity u at 2alpha to V
+S hits V: e = 1/2
+given sin(alpha) = 1/3
+find deflection(S)
+""",
+        (
+            "sin 2α = 2 sin α cos α = 2 × ⅓ × (2√2/3) = 4√2/9",
+            "cos 2α = cos²α − sin²α = (2√2/3)² − (1/3)² = 7/9",
+            "δ = 2α + β = 2 arcsin(1/3) + arctan(2√2/7)",
+            "60.9°",
+        ),
+    ),
+    "the tangent of a deflection stays in that of twice the angle": (
+        """
+wall V: along j
+sphere S: velocity u at 2phi to V
+S hits V: e = 1/3
+find tan(deflection(S)) in terms of phi
+""",
+        (
+            "tan β = (⅓u sin 2φ)/(u cos 2φ) = ⅓ tan 2φ",
+            "δ = 2φ + β",
+            "tan δ = (tan 2φ + tan β)/(1 − tan 2φ tan β)",
+            "= (4 tan 2φ)/(3 − tan² 2φ)",
+        ),
+    ),
+    "a cosine of a deflection at a wall along an axis": (
+        """
+wall W: along j
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given cos(alpha) = 3/5, cos(deflection(P)) = 1/sqrt(5)
+find e
+""",
+        ("= (9 − 16e)/(5√(9 + 16e²))", "e = 3/22"),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_no_inverse_stands_in_a_ratio(case: str) -> None:
+    statement, parts = CASES[case]
+    text = printed_with(statement, parts)
+    assert "sin(2 arc" not in text
