@@ -14,6 +14,7 @@ of it beside it as relations and bounds:
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any, Literal
 
@@ -21,7 +22,7 @@ import sympy as sp
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
-from restitution.exact.degrees import function_of
+from restitution.exact.degrees import cosine, function_of
 from restitution.exact.irreducible import factor_list
 from restitution.oracle.algebraic import (
     INVERSE,
@@ -43,12 +44,23 @@ from restitution.records import dataclass
 Sense = Literal["+", "0+", "real"]
 MOST_TERMS = 3000
 MOST_MULTIPLE = 12
+_OF_FIFTHS = (5, 10)
 
 Quotient = tuple[PolyElement, PolyElement]
 
 
 class TooLargeError(Exception):
     """An expression has more terms than are worth asking about."""
+
+
+def _is_plain(turns: sp.Expr) -> bool:
+    """Whether the cosine of a multiple of π has roots that take a decision procedure seconds.
+
+    Those of 33° and of other multiples of 3°, but for 18°, 36° and what roots of numbers have.
+    """
+    if not turns.is_Rational or turns.q in _OF_FIFTHS:
+        return False
+    return bool(cosine(Fraction(int(turns.p), int(turns.q))).has(*TRIGONOMETRIC))
 
 
 @dataclass(frozen=True)
@@ -154,8 +166,8 @@ class Polynomials:
                 terms.append((coefficient, atom))
             else:
                 rest += term
-        if sp.cos(rest).has(*TRIGONOMETRIC):
-            turns = sp.expand(rest / sp.pi)
+        turns = sp.expand(rest / sp.pi)
+        if _is_plain(turns) or sp.cos(rest).has(*TRIGONOMETRIC):
             for base in self._bases if turns.is_Rational else ():
                 count = multiple_of(turns, base)
                 if count is not None:
