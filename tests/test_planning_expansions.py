@@ -94,7 +94,7 @@ def working(text: str) -> str:
         (TURNED_AT_A_WALL, "u cos α = 0.6u(½ cos α + (√3/2) sin α) DM1"),
         (TURNED_AT_A_WALL, "eu sin α = 0.6u((√3/2) cos α − ½ sin α) DM1"),
         (BLOWN_ALONG_A_WALL, "By the formula tan(θ/2) = sin θ/(1 + cos θ):"),
-        (CORNER, "= (u/2)((√2 + √6)/4) − (√3 u/5)((√6 − √2)/4) = (7√6 − √2)u/40"),
+        (CORNER, "= (u/2) sin 75° − (√3 u/5) cos 75° ≈ "),
         (TWO_AT_RIGHT_ANGLES, "= 3mu²(cos²θ + 2 sin θ cos θ + sin²θ)/16"),
         (BACK_FROM_A_WALL, "v > 0, as e ≤ 1 (4)"),
         (BACK_FROM_A_WALL, "component of 𝐯_B along 𝐢 ≤ 0, as e ≥ 0 and f ≥ 0 (5)"),

@@ -143,6 +143,16 @@ find range of e
 """,
         ("> 130° + 14.04°", "= 1 − 3e", "< cot 144.0°", "1 − 3e < −1.378", "0.793 < e ≤ 1"),
     ),
+    "an angle to an axis, after a slanting wall": (
+        """
+wall W: along 4i + 3j
+sphere P: velocity i + 6j
+P hits W
+given angle(velocity(P), j) > 90°
+find range of e
+""",
+        ("−(21e/5) × ⅘ + (22/5) × ⅗ < 0", "66 − 84e < 0", "11/14 < e ≤ 1"),
+    ),
     "an angle that may be obtuse": (
         """
 sphere A: mass m, velocity u at 30°

@@ -345,3 +345,32 @@ def test_every_impossible_coefficient_is_named() -> None:
     with pytest.raises(ImpossibleError, match="e = 4 or e = 2 rejected"):
         _ = solve(parse(text))["e"].exact
     assert "as the data give e = 4 or e = 2, and a coefficient of restitution" in working(text)
+
+
+def test_a_quadratic_without_roots_is_stated_with_its_discriminant() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nsphere C: mass m, at rest\n"
+        "A hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\n"
+        "given speed(C) = 2/3 u\nfind k"
+    )
+    assert (
+        "This cannot be, as the discriminant of 8k² − 11k + 8 = 0 is negative: "
+        "11² − 4 × 8 × 8 = −135."
+    ) in shown
+
+
+@pytest.mark.parametrize(
+    ("impact", "angle", "says"),
+    [
+        ("wall W: along 4i + 3j\nsphere P: velocity 2i + 6j\nP hits W", "j", "e > 13/12"),
+        (
+            "sphere P: mass 1, velocity 4i + j\nsphere Q: mass 2, at rest\nP hits Q: along i + j",
+            "i",
+            "7 − 5e < 0 e > 7/5",
+        ),
+    ],
+)
+def test_an_angle_to_an_axis_has_its_reason(impact: str, angle: str, says: str) -> None:
+    """No value of e is possible: what it would have to be stands above that."""
+    shown = working(f"{impact}\ngiven angle(velocity(P), {angle}) > 90°\nfind range of e")
+    assert f"{says} But e ≤ 1. So what is described cannot happen." in shown

@@ -380,3 +380,13 @@ def test_an_equation_of_squares_becomes_a_tangent_step_by_step(
 ) -> None:
     text = to_text(explain(solve(parse(statement)), check=True))
     assert not [each for each in lines if each not in text], text
+
+
+def test_a_deflection_is_the_difference_of_angles_that_stand() -> None:
+    whole = printed(
+        "sphere A: mass 2, velocity 3i + 4j\nsphere B: mass 3, at rest\n"
+        "A hits B: along i, e = 1/2\npart a\n"
+        "find angle(velocity(A), i), angle(velocity(A, 0), i)\npart b\nfind deflection(A)"
+    )
+    assert "With β and θ from part (a): δ = β − θ = arctan(40/3) − arctan(4/3)" in whole
+    assert "cos δ" not in whole

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from restitution.language import parse
@@ -30,7 +32,7 @@ def test_a_quadratic_without_roots_has_a_negative_discriminant() -> None:
         "wall AB: along i\nwall BC: along 120°\nsphere P: velocity u at alpha to AB\nP hits AB\n"
         "P hits BC\ngiven velocity(P) parallel to velocity(P, 0), e = 1/2\nfind tan(alpha)"
     )
-    assert "the discriminant of this quadratic in tan α, −23, is negative" in shown
+    assert re.search(r"the discriminant of .*tan α .* = 0 is negative: .* = −23\.", shown)
 
 
 def test_a_greatest_value_exists_where_its_form_does() -> None:

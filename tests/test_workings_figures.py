@@ -218,18 +218,51 @@ def test_a_ratio_has_the_figures_that_stand_above_also_where_they_come_to_four()
 
 
 def test_ratios_of_15_degrees_are_those_of_a_calculator() -> None:
-    """A question that has roots itself, or speeds in letters, has the roots of 15° too."""
+    """A question that has roots itself has the roots of 15° too."""
     wall = "wall W: along i\nsphere P: mass 0.6, velocity {} at 60° to W\nP hits W\n"
     asked = "given deflection(P) = 75°\n"
     text = printed(wall.format("4") + asked + "find e, speed(P), impulse")
     assert "tan 15° = 2√3 e/2 DM1 (i) e ≈ 0.155" in text
     assert "magnitude of the impulse ≈ 0.6(0.5359 + 2√3) ≈ 2.4 N s" in text
     assert "√6" not in text
-    for exact in (
-        wall.format("u") + asked + "find e",
-        wall.format("4") + asked + "show e = (2sqrt(3) - 3)/3",
+    assert "e ≈ 0.155" in printed(wall.format("u") + asked + "find e")
+    assert "(2√3 − 3)/3" in printed(wall.format("4") + asked + "show e = (2sqrt(3) - 3)/3")
+
+
+def test_multiples_of_letters_at_15_degrees_are_in_figures() -> None:
+    """The roots of its sine and cosine are no longer to be read than a decimal of 37°."""
+    text = printed(
+        "sphere A: mass m, velocity u at 15°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "find velocity(A) in terms of e, u\ngiven e = 1/3\nfind angle(velocity(A), i), speed(B)"
+    )
+    for said in (
+        "u sin 15° ≈ 0.2588u",
+        "v ≈ 0.3220(1 − 2e)u",
+        "𝐯_A ≈ 0.3220(1 − 2e)u𝐢 + 0.2588u𝐣",
+        "tan β ≈ 0.2588u/(0.1073u) ≈ 2.412",
+        "w ≈ 0.4293u",
     ):
-        assert "(2√3 − 3)/3" in printed(exact)
+        assert said in text
+    assert "√" not in text
+
+
+def test_a_share_of_figures_has_no_root() -> None:
+    text = printed(
+        "wall W: along i\nsphere P: velocity u at 75° to W\nP hits W\n"
+        "given angle(velocity(P), W) = 45°\nfind e, speed(P), energy_lost/energy(0)"
+    )
+    assert "tan 45° ≈ 0.9659eu/(0.2588u) ≈ 3.732e" in text
+    assert "fraction lost ≈ (u² − (0.3660u)²)/u² ≈ 0.866" in text
+
+
+def test_what_figures_are_put_into_is_worked_out_before_the_outcome() -> None:
+    text = printed(
+        "wall AB: along i\nwall BC: along 75°\nsphere P: velocity u at 30° to AB\n"
+        "P hits AB: e = 1/2\nP hits BC: e = 1/2\nfind angle(velocity(P), BC)"
+    )
+    assert "(√3 u/2) sin 75° − (u/4) cos 75°" in text
+    assert "≈ ½ × 0.7718u ≈ 0.3859u" in text
+    assert "tan β ≈ 0.3859u/(0.4656u)" in text
 
 
 def test_a_difference_has_the_figures_that_stand_above_also_where_it_comes_to_four() -> None:

@@ -225,8 +225,8 @@ CASES = {
         ),
         (
             (
-                "q² − 2q + 2 = 0 This cannot be, as the discriminant of this quadratic in q, −4, "
-                "is negative. So what is described cannot happen. A1"
+                "This cannot be, as the discriminant of q² − 2q + 2 = 0 is negative: "
+                "2² − 4 × 2 = −4. So what is described cannot happen. A1"
             ),
         ),
         ("other data",),

@@ -5,9 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from restitution.explaining.lines.derivation import Line, Link
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+    unsigned,
+)
+from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
 from restitution.workings.naming.figures import has_plain_angles
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.row_sides import turned_side
 from restitution.workings.naming.sources import is_displacement, is_time
 
 
@@ -53,3 +66,25 @@ def is_made_of_figures(tree: Expression) -> bool:
 def sign_of(link: Link) -> str:
     """The sign of a link as it is printed."""
     return lay.SIGNS.get(link.sign, link.sign)
+
+
+def unrationalised(naming: Naming, ratio: Expression) -> lay.Layout:
+    """A quotient by a root as it stands, where its layout would have a whole number below."""
+    own, whole = unsigned(ratio), naming.layout(ratio)
+    match own:
+        case Binary("/", Number() as above, below) | Binary(
+            "/", Letter() | Binary("*") as above, Apply("sqrt") as below
+        ) if not letters(below):
+            quotient = lay.Fraction(naming.layout(above), naming.layout(below))
+            return quotient if own is ratio else lay.negative(quotient)
+    return whole
+
+
+def as_printed(naming: Naming, right: Expression, side: lay.Layout) -> Expression | None:
+    """A side as it is printed: that of a component away from a wall has the other sign.
+
+    None where it is printed in another form.
+    """
+    own = naming.layout(right)
+    other = turned_side(own) or lay.negative(own)
+    return {own: right, other: negative(right)}.get(side)

@@ -39,16 +39,18 @@ from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.chain_sides import (
     Draft,
+    as_printed,
     is_made_of_figures,
     is_multiple,
     is_value,
     sign_of,
+    unrationalised,
 )
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.figure_multiples import FIGURES_BETWEEN, beside_figures
 from restitution.workings.naming.figures import (
-    FIGURES_BETWEEN,
     Figures,
     angles_in_figures,
     bound_in_figures,
@@ -256,7 +258,7 @@ class Chains:
                 line.move.record in _BY_A_LENGTH and len(links) > 1
             ):
                 put = 1 in draft.in_figures
-                sides[1] = self._unrationalised(trees[1] if put else links[0].right)
+                sides[1] = unrationalised(self._naming, trees[1] if put else links[0].right)
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
                 line.move.record in _TANGENTS
                 and len(links) > 1
@@ -405,6 +407,9 @@ class Chains:
                 trees[n] = self._side_in_figures(line, trees, n, worked)
             elif calculated:
                 trees[n] = bound_in_figures(trees[n])
+        if calculated and not plain and line.move.record not in _BY_A_LENGTH:
+            solved = line.move.id in _GOES_ON_IN_FIGURES - {"put"}
+            trees[:] = beside_figures(exact, trees, solved)
         if line.move.record == "scalar-angle" and len(links) > 1:
             behind = calculated and trees[1] != exact[1] and has_plain_angles(trees[-1])
             if behind or has_long_root(trees[-1]):
@@ -510,17 +515,6 @@ class Chains:
         if line.relation.trees[0] in self._in_figures_above:
             return False
         return answer and len(to_text(self._naming.layout(last))) <= _LONGEST_ANSWER
-
-    def _unrationalised(self, ratio: Expression) -> lay.Layout:
-        """A quotient by a root as it stands, where its layout would have a whole number below."""
-        own, whole = unsigned(ratio), self._naming.layout(ratio)
-        match own:
-            case Binary("/", Number() as above, below) | Binary(
-                "/", Letter() | Binary("*") as above, Apply("sqrt") as below
-            ) if not letters(below):
-                quotient = lay.Fraction(self._naming.layout(above), self._naming.layout(below))
-                return quotient if own is ratio else lay.negative(quotient)
-        return whole
 
     def _quotient(self, line: Line, link: Link) -> lay.Layout | None:
         """The quotient of two numbers, a decimal next: of components, or of a flight."""
@@ -648,7 +642,7 @@ class Chains:
                     signs.append(sign)
         in_letters = self._figures.in_letters(right) if end is None and not unit else None
         if in_letters is not None and links[-1].sign == "=" and is_value(left):
-            printed = self._as_printed(right, sides[-1]) or right
+            printed = as_printed(self._naming, right, sides[-1]) or right
             if put is not None and sides[-1] != self._naming.layout(put) and printed == right:
                 printed = (
                     negative(right) if turned_side(self._naming.layout(put)) == sides[-1] else right
@@ -664,7 +658,7 @@ class Chains:
             and links[-1].sign == "="
             and (of_plain_angles(right) or self._is_carried(line, links[-1]))
         ):
-            tree = self._as_printed(right, sides[-1])
+            tree = as_printed(self._naming, right, sides[-1])
             if put is not None and not (has_quantity(put) or letters(put)):
                 tree = right if sides[-1] == self._naming.layout(put) else negative(right)
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
@@ -697,15 +691,6 @@ class Chains:
             and own.relation.options[0][0].left == link.left
             for own in self._derivation.lines
         )
-
-    def _as_printed(self, right: Expression, side: lay.Layout) -> Expression | None:
-        """A side as it is printed: that of a component away from a wall has the other sign.
-
-        None where it is printed in another form.
-        """
-        own = self._naming.layout(right)
-        other = turned_side(own) or lay.negative(own)
-        return {own: right, other: negative(right)}.get(side)
 
     def _bounded(self, trees: Sequence[Expression], sides: list[lay.Layout]) -> None:
         """Puts the unit of what a range is of behind the numbers that bound it."""

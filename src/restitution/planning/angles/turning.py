@@ -57,6 +57,7 @@ from restitution.planning.angles.scalar_angles import (
     write_right_angle_of_axes,
     write_right_angle_of_two,
 )
+from restitution.planning.angles.standing_turns import turn_of_standing_angles
 from restitution.planning.angles.sums_at_walls import write_sum
 from restitution.planning.angles.turn_lines import write_turn, write_turn_tangent
 from restitution.planning.angles.turned_directions import turn_of_directions
@@ -581,6 +582,8 @@ def _by_whole_velocities(scene: Scene, turn: _Turn) -> Ratio | int | None:
     """A deflection between two velocities that stand as vectors, or by two angles at a wall."""
     body, event, asked, wanted = turn.body, turn.event, turn.asked, turn.wanted
     both = [(body, event - 1), (body, event)]
+    if wanted is None and (beside := turn_of_standing_angles(scene, asked, angle_line)) is not None:
+        return beside
     if wanted is None and stand_as_vectors(scene, both):
         sources = [whole_velocity(scene, *state) for state in both]
         return by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)

@@ -18,6 +18,8 @@ from restitution.explaining.lines.derivation import (
     equality,
 )
 from restitution.expression.tree import (
+    EXACT_ANGLE,
+    RIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -113,7 +115,7 @@ def by_cotangents(worths: Worths, bound: Bound, angle: Quantity) -> Bounded | No
     scene = worths.scene
     limit = tidy(sp.cot(scene.scalar(bound.end)))
     shown = tree_of(limit)
-    if not isinstance(bound.end, Degrees):
+    if not isinstance(bound.end, Degrees) or _is_beyond_the_table(bound.end):
         limit, shown = sp.Symbol(BOUND, real=True), Apply("cot", bound.end)
     if not any(isinstance(unsigned(side), Unit) for side in angle.arguments) or limit.has(sp.zoo):
         return None
@@ -124,6 +126,11 @@ def by_cotangents(worths: Worths, bound: Bound, angle: Quantity) -> Bounded | No
         return None
     pool = [bound.ref, let, f"0° <= {letter} <= 180°"]
     return _compared(worths, pool, line, letter, (FLIPPED[bound.sign], limit, shown))
+
+
+def _is_beyond_the_table(angle: Degrees) -> bool:
+    """Whether an obtuse angle has a cotangent that only a calculator knows: cot 110°."""
+    return angle.value > RIGHT_ANGLE.value and bool(angle.value % EXACT_ANGLE)
 
 
 def cotangent_line(scene: Scene, angle: Quantity, letter: str, let: Ref) -> int | None:

@@ -47,7 +47,10 @@ from restitution.planning.inequalities.bounds_by_cotangents import write_by_cota
 from restitution.planning.inequalities.bounds_with_roots import collected
 from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
 from restitution.planning.inequalities.conditions_shown import write_shown
-from restitution.planning.inequalities.given_products import write_given_product
+from restitution.planning.inequalities.given_products import (
+    product_with_an_axis,
+    write_given_product,
+)
 from restitution.planning.inequalities.multiplied_out import multiplied_out
 from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
 from restitution.planning.inequalities.squares import (
@@ -65,7 +68,7 @@ from restitution.planning.inequalities.standard_conditions import (
     is_linear,
 )
 from restitution.planning.inequalities.standing_ratios import write_by_a_ratio
-from restitution.planning.inequalities.turns_bounded import write_beside_a_known_angle
+from restitution.planning.inequalities.turns_bounded import write_other_angle
 from restitution.planning.inequalities.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import together
@@ -186,7 +189,7 @@ class Conditions:
             case Quantity(kind) as angle, Degrees(value) if (
                 kind in UNSIGNED_ANGLES and 0 < value < 90
             ):
-                bounded = write_beside_a_known_angle(self.worths, fact, link, angle)
+                bounded = write_other_angle(self.worths, fact, link, angle)
                 bounded = bounded or write_bounded(self.worths, fact, link, angle)
                 if bounded is not None and self._is_solved(bounded[0]):
                     return bounded[0]
@@ -197,11 +200,9 @@ class Conditions:
                     falling = self._by_cotangent(fact, link) if number == condition[0] else None
                     return number if falling is None else self.finished(*falling, wanted)
             case Quantity("deflection") as angle, Degrees():
-                bounded = write_beside_a_known_angle(self.worths, fact, link, angle)
-                if bounded is not None and self._is_solved(bounded[0]):
-                    return bounded[0]
-                if bounded is not None:
-                    return self.finished(*bounded, wanted)
+                if (beside := write_other_angle(self.worths, fact, link, angle)) is not None:
+                    done = self._is_solved(beside[0])
+                    return beside[0] if done else self.finished(*beside, wanted)
         bounded = self._by_cotangent(fact, link) or write_given_product(self.worths, fact, link)
         if bounded is not None:
             return self.finished(*bounded, wanted)
@@ -336,8 +337,8 @@ class Conditions:
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
     ) -> int | None:
         """An angle of more than 90°, or of less, by the sign of the scalar product."""
-        product = self._of_velocities(angle) or self._with_a_direction(angle)
-        if product is None:
+        own = self._of_velocities(angle) or self._with_a_direction(angle)
+        if (product := own or product_with_an_axis(self.worths, angle)) is None:
             return None
         pair, tree, value, refs = product
         event = max(frame_after(self.scene, *state).number for state in pair)

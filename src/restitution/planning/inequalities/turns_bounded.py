@@ -49,9 +49,7 @@ class Turned:
     inverse: tuple[int, ...] = ()
 
 
-def write_beside_a_known_angle(
-    worths: Worths, fact: Fact, link: Link, angle: Quantity
-) -> Bounded | None:
+def write_other_angle(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded | None:
     """A ratio of the other angle of a deflection, where one is known in degrees.
 
     That is taken from the bound first: 45° + β ≤ 60°, so β ≤ 15°, and β − 60° < 20°, so β < 80°.
@@ -166,4 +164,4 @@ def _in_decimals(scene: Scene, known: Term, bound: sp.Expr) -> int | None:
 _STANDARD = sp.pi / 12
 
 
-__all__ = ["write_beside_a_known_angle"]
+__all__ = ["write_other_angle"]

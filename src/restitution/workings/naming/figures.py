@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Rounded,
     RoundedDegrees,
     Unit,
+    children,
     has_quantity,
     has_root,
     has_unit_vector,
@@ -38,7 +39,13 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
-from restitution.planning.writing.forms import product, swept, tree_of
+from restitution.planning.writing.forms import swept
+from restitution.workings.naming.figure_multiples import (
+    FIGURES_BETWEEN,
+    is_one_term,
+    multiple_of,
+    number_and_letters,
+)
 from restitution.workings.naming.long_sums import sum_in_figures
 from restitution.workings.naming.measured import (
     is_measure_of_angle,
@@ -53,8 +60,6 @@ from restitution.workings.naming.roots_of_roots import (
     is_to_be_worked_out,
 )
 
-# Of a value on the way, so that three are right in the end.
-FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 FIGURES_OF_ANSWERS = 3
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
@@ -92,21 +97,21 @@ def is_by_calculator(trees: Iterable[Expression]) -> bool:
 def is_with_calculator(derivation: Derivation) -> bool:
     """Whether a working is one with a calculator.
 
-    At 15°, or where roots stand below roots or a tangent is a sum of roots, it is where velocities
-    are numbers, unless the question itself has roots.
+    At 15° it is, unless the question itself has roots; and so it is where roots stand below roots
+    or a tangent is a sum of roots, and velocities are numbers.
     """
     relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
     trees = [tree for relation in relations for tree in relation.trees]
     if is_by_calculator(trees) or any(map(_is_bound_by_a_sum, relations)):
         return True
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
-    velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity"))
-    if any(letters(tree) for relation in velocities for tree in relation.trees):
-        return False
     shown = [end.answer for end in derivation.items if end.shown]
-    asked = (tree for relation in (*data, *shown) for tree in relation.trees)
-    awkward = _has_odd_multiples(trees) or any(map(_is_of_long_roots, relations))
-    return awkward and not any(map(has_root, asked))
+    if any(has_root(tree) for relation in (*data, *shown) for tree in relation.trees):
+        return False
+    velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity"))
+    in_letters = any(letters(tree) for relation in velocities for tree in relation.trees)
+    odd = _has_odd_multiples(trees)
+    return odd or (not in_letters and any(map(_is_of_long_roots, relations)))
 
 
 def _is_of_long_roots(relation: Relation) -> bool:
@@ -162,31 +167,6 @@ def _ratios_of_numbers(tree: Expression) -> list[Apply]:
     ]
 
 
-@lru_cache(maxsize=4096)
-def _number_and_letters(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
-    """The number and the product of letters of a multiple of letters; None of another value."""
-    value = None if has_quantity(tree) or not letters(tree) else scalar_worth(tree)
-    if value is None:
-        return None
-    value = sp.factor(value)
-    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
-    if not number.is_real or not all(
-        factor.is_Symbol or (factor.is_Pow and factor.base.is_Symbol and factor.exp.is_Integer)
-        for factor in sp.Mul.make_args(rest)
-    ):
-        return None
-    return number, rest
-
-
-def _multiple(number: sp.Expr, letters_: sp.Expr) -> Expression | None:
-    """A multiple of letters with its number in figures: 0.1351u."""
-    size = number_carried(number, FIGURES_BETWEEN)
-    if size is None:
-        return None
-    whole = product(Rounded(abs(size), FIGURES_BETWEEN), tree_of(letters_))
-    return Negate(whole) if size < 0 else whole
-
-
 class Figures:
     """The sums of ratios of plain angles that are on paper, with their figures."""
 
@@ -220,8 +200,10 @@ class Figures:
             least = 1 if any(map(self._is_long, walk(tree))) else _LONG_SUM
         else:
             least = _LONG_SUM if any(map(self._is_long, walk(tree))) else _LONG_PRODUCT
-        parts = _number_and_letters(tree) if len(_ratios_of_numbers(tree)) >= least else None
-        return None if parts is None else _multiple(*parts)
+        several = len(_ratios_of_numbers(tree)) >= least
+        several = several or (self.with_calculator and self.has_sums_of_roots(tree))
+        parts = number_and_letters(tree) if several else None
+        return None if parts is None else multiple_of(*parts)
 
     def sum_in_letters(self, tree: Expression) -> Expression | None:
         """A sum in letters with coefficients that only a calculator knows: 4.757 − 1.632e.
@@ -267,10 +249,25 @@ class Figures:
         if isinstance(tree, Negate):
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
-        own = figures_of(tree) if self.is_of_roots(tree) else None
+        own = figures_of(tree) if self.is_of_roots(tree) else self._multiple_of_roots(tree)
         if self.with_calculator and tree not in self._known and self._is_of_several(tree):
             own = self._of_size(tree) or own
         return self._known.get(tree, own or tree)
+
+    def _multiple_of_roots(self, tree: Expression) -> Expression | None:
+        """The figures of a multiple of letters by a sum of roots: 0.9659u, with a calculator."""
+        if not self.with_calculator or not letters(tree) or has_quantity(tree):
+            return None
+        return self.in_letters(tree) if self.has_sums_of_roots(tree) else None
+
+    def _with_multiples(self, tree: Expression) -> Expression:
+        """A tree with figures for the multiples of letters by sums of roots, each as a whole."""
+        on_paper = any(node in self._known for node in walk(tree) if node != tree)
+        own = self._multiple_of_roots(tree) if is_one_term(tree) and not on_paper else None
+        if own is not None:
+            return own
+        parts = {child: self._with_multiples(child) for child in children(tree)}
+        return exchanged(tree, {child: put for child, put in parts.items() if put != child})
 
     def again(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
         """A side with its figures, where it is on paper itself; else as `put` has it."""
@@ -308,10 +305,10 @@ class Figures:
         """A number, or a multiple of letters by one, in figures; any other value as it is."""
         if of_plain_angles(tree):
             return figures_of(tree) or tree
-        parts = _number_and_letters(tree)
+        parts = number_and_letters(tree)
         if parts is None or parts[0].is_Rational:
             return tree
-        return _multiple(*parts) or tree
+        return multiple_of(*parts) or tree
 
     def put(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
         """A side of a line with figures for the values in it that are on paper.
@@ -321,11 +318,13 @@ class Figures:
         """
         own = unsigned(tree)
         if own in self._known and not (self.with_calculator and own in self._alone):
-            return tree
+            return self._multiple_of_roots(tree) or tree
         if self.with_calculator and is_sum_with_inverse(tree):
             return angles_in_figures(tree)
         if self.with_calculator and not outcome:
             tree = _by_degrees(tree)
+        if self.with_calculator and not has_quantity(tree) and self.has_sums_of_roots(tree):
+            tree = self._with_multiples(tree)
         for figures in _FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
             more = self._more_figures(tree, figures)
@@ -650,7 +649,7 @@ def _size(tree: Expression) -> _Size | None:
     if not has_plain_angles(tree) or has_quantity(tree):
         return None
     if letters(tree):
-        number, rest = _number_and_letters(tree) or (None, sp.S.One)
+        number, rest = number_and_letters(tree) or (None, sp.S.One)
     else:
         number, rest = scalar_worth(tree), sp.S.One
     size = None if number is None else number.evalf(_FIGURES_THAT_TELL)

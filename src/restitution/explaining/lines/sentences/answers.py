@@ -101,9 +101,7 @@ SENTENCES: Mapping[str, str] = {
     "no-root.square": "a square is not negative",
     "no-root.unit": "{square} is at most 1",
     "no-root.least": "{ratio} is at least −1",
-    "no-root.discriminant": (
-        "the discriminant of this quadratic in {ratio}, {discriminant}, is negative"
-    ),
+    "no-root.discriminant": "the discriminant of {equation} is negative: {discriminant}",
     "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
     "answer.only-at": "This holds for {condition} only: if {end}, {there}.",
