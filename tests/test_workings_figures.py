@@ -548,3 +548,22 @@ def test_components_along_a_wall_at_an_angle_follow(turn: str) -> None:
         "find angle(velocity(P), W)"
     )
     assert "does not follow" not in text
+
+
+def test_a_value_has_as_many_figures_where_it_stands_first_as_below() -> None:
+    text = checked(
+        "sphere A, B: mass 0.2\nsphere A: velocity 5 at 35°\nsphere B: at rest\nA hits B: along i\n"
+        "given angle(velocity(A), line_of_centres) = 65°\npart a\nfind e\n"
+        "part b\nfind impulse, energy_lost"
+    )
+    assert "w ≈ 2.7584 m s⁻¹" in text
+    assert "0.2 × 2.7584" in text
+
+
+def test_what_an_equation_gives_has_its_figures_in_an_energy() -> None:
+    text = checked(
+        "wall W: along i\nsphere P: mass 0.15, velocity u at 40° to W\nP hits W\n"
+        "given deflection(P) = 62°\npart a\nfind e\npart b\ngiven impulse = 1.1\n"
+        "find u, energy_lost"
+    )
+    assert "½ × 0.15(4.950² − 2.383²) ≈ 1.41 J" in text

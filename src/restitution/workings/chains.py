@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from restitution.explaining.data.restated import axis_restated
@@ -49,16 +49,10 @@ from restitution.workings.chain_sides import (
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.ends import Ends
-from restitution.workings.naming.figure_multiples import FIGURES_BETWEEN, beside_figures
+from restitution.workings.naming.figure_multiples import beside_figures
 from restitution.workings.naming.figures import (
     Figures,
-    angles_in_figures,
-    bound_in_figures,
-    degrees_of,
     has_plain_angles,
-    is_figures,
-    is_sum_of_inverses_of_roots,
-    is_sum_with_inverse,
     is_with_calculator,
     of_plain_angles,
     plain_angles,
@@ -88,6 +82,14 @@ from restitution.workings.naming.row_sides import (
 from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
 from restitution.workings.naming.solved_figures import leads_elsewhere
 from restitution.workings.naming.sources import is_time, is_vector
+from restitution.workings.naming.sums_in_degrees import (
+    angles_in_figures,
+    bound_in_figures,
+    degrees_of,
+    is_figures,
+    is_sum_of_inverses_of_roots,
+    is_sum_with_inverse,
+)
 from restitution.workings.naming.values_of_letters import in_the_other_sense, with_values
 from restitution.workings.rendering.steps import Row
 
@@ -110,13 +112,18 @@ class Chains:
     """The rows of one derivation that are chains."""
 
     def __init__(
-        self, derivation: Derivation, naming: Naming, measures: Measures, ends: Ends
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        measures: Measures,
+        ends: Ends,
+        finer: Mapping[str, int] | None = None,
     ) -> None:
         self._derivation = derivation
         self._naming = naming
         self._measures = measures
         self._ends = ends
-        self._figures = Figures(is_with_calculator(derivation), measures.decimals)
+        self._figures = Figures(is_with_calculator(derivation), measures.decimals, finer)
         # Lines with figures in place of values: their first two sides, by the number.
         self._with_figures: dict[int, tuple[Expression, Expression]] = {}
         # The left sides of lines with figures in place of roots of sums of roots.
@@ -124,6 +131,11 @@ class Chains:
         # The left side of the row above, and the item to which it belongs.
         self._left: tuple[Expression, str | None] | None = None
         self._single = True
+
+    @property
+    def finer(self) -> Mapping[str, int]:
+        """How many figures values have where four lead to others below, by their digits."""
+        return self._figures.wanted
 
     def instead_of(self, tree: Expression) -> Expression:
         """The figures of a value that is on paper with them; any other as it is."""
@@ -370,7 +382,8 @@ class Chains:
             return None
         if len(above.relation.options) > 1:
             return None
-        return multiple_in_figures(above.relation.only[-1].right, FIGURES_BETWEEN)
+        value = above.relation.only[-1].right
+        return multiple_in_figures(value, self._figures.count(value))
 
     def _in_figures(
         self, line: Line, links: tuple[Link, ...], trees: list[Expression]
@@ -661,7 +674,8 @@ class Chains:
             tree = as_printed(self._naming, right, sides[-1])
             if put is not None and not (has_quantity(put) or letters(put)):
                 tree = right if sides[-1] == self._naming.layout(put) else negative(right)
-            figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
+            carried = self._figures.count(right)
+            figures = None if tree is None else to_figures(tree, carried)
             if figures is not None:
                 self._figures.note(right)
                 if figures != sides[-1]:

@@ -59,12 +59,12 @@ from restitution.workings.naming.bold_letters import Used
 from restitution.workings.naming.data_angles import DataAngles
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.figures import FIGURES_OF_ANSWERS, degrees_of, is_inverse
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.multiples import measured_meanings
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.senses_of_walls import in_senses_of_walls
 from restitution.workings.naming.sources import Sources
+from restitution.workings.naming.sums_in_degrees import FIGURES_OF_ANSWERS, degrees_of, is_inverse
 from restitution.workings.noted import Notes
 from restitution.workings.reasons.premises import Reasons
 from restitution.workings.reasons.pythagoras import is_arithmetic
@@ -105,10 +105,14 @@ def explanation_of(
     writer = _Writer(derivation, problem, conditions or {}, turned=turned)
     steps = {label: writer.part(label) for label in labels}
     wanted = writer.naming.bold.wanted
-    if wanted != writer.naming.bold.used:
-        # Which velocities have letters is known now, so that they can be introduced together.
+    if wanted != writer.naming.bold.used or writer.rows.finer:
+        # Which velocities have letters is known now, so that they can be introduced together,
+        # and which values need more than four figures from where they stand first.
         writer = _Writer(
-            derivation, problem, conditions or {}, wanted, shared=writer, turned=turned
+            *(derivation, problem, conditions or {}, wanted),
+            shared=writer,
+            turned=turned,
+            finer=writer.rows.finer,
         )
         steps = {label: writer.part(label) for label in labels}
     parts: list[PartExplanation] = []
@@ -134,6 +138,7 @@ class _Writer:
     before: tuple[Sentence, ...] = ()
     shared: _Writer | None = None
     turned: frozenset[int] = frozenset()
+    finer: Mapping[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         derivation, shared = self.derivation, self.shared
@@ -166,7 +171,7 @@ class _Writer:
         self.leads = GivenLeads(derivation, self.naming, self.sources, self.reasons)
         self.meetings = dict(meetings(derivation, self.ends, self.naming))
         self.angles = DataAngles(derivation, self.naming)
-        self.rows = Rows(derivation, self.naming, self.measures, self.ends)
+        self.rows = Rows(derivation, self.naming, self.measures, self.ends, self.finer)
         self.notes = Notes(derivation, self.naming, self.ends, self.rows.in_figures)
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)

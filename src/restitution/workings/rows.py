@@ -33,7 +33,6 @@ from restitution.workings.chain_sides import is_value, sign_of
 from restitution.workings.chains import WORDS, Chains
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.naming.bold_letters import unit_vector
-from restitution.workings.naming.figures import degrees_of
 from restitution.workings.naming.measured import (
     as_answer,
     is_plain,
@@ -44,6 +43,7 @@ from restitution.workings.naming.measured import (
 from restitution.workings.naming.row_sides import (
     are_values,
 )
+from restitution.workings.naming.sums_in_degrees import degrees_of
 from restitution.workings.rendering.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.

@@ -8,7 +8,7 @@ calculator: what is only worked out is a number at once. What the lines say stay
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache, partial
 from typing import NamedTuple
@@ -27,7 +27,6 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Rounded,
-    RoundedDegrees,
     Unit,
     children,
     has_quantity,
@@ -59,12 +58,17 @@ from restitution.workings.naming.roots_of_roots import (
     is_of_nested_roots,
     is_to_be_worked_out,
 )
+from restitution.workings.naming.sums_in_degrees import (
+    FIGURES_BEFORE_A_ROUNDING,
+    FIGURES_BETWEEN,
+    FIGURES_OF_ANSWERS,
+    RATIOS,
+    angles_in_figures,
+    degrees_of,
+    is_sum_with_inverse,
+)
 
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
-FIGURES_OF_ANSWERS = 3
-_FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
-_RATIOS = frozenset({"sin", "cos", "tan", "cot"})
-_INVERSES = frozenset({"arcsin", "arccos", "arctan"})
 # Degrees: of multiples of these a reader knows the ratios.
 _LEAST_STANDARD, _HALF_OF_A_RIGHT_ANGLE = 30, 45
 # Numbers from here on are none that somebody writes before a ratio.
@@ -163,21 +167,38 @@ def _ratios_of_numbers(tree: Expression) -> list[Apply]:
     return [
         node
         for node in walk(tree)
-        if isinstance(node, Apply) and node.function in _RATIOS and not letters(node)
+        if isinstance(node, Apply) and node.function in RATIOS and not letters(node)
     ]
 
 
 class Figures:
     """The sums of ratios of plain angles that are on paper, with their figures."""
 
-    def __init__(self, with_calculator: bool = False, decimals: bool = False) -> None:
+    def __init__(
+        self,
+        with_calculator: bool = False,
+        decimals: bool = False,
+        finer: Mapping[str, int] | None = None,
+    ) -> None:
         self.with_calculator = with_calculator
+        # How many figures the values of these sizes have, where four lead to others in the end.
+        self._finer = dict(finer or {})
+        #: The same as it comes out while lines are written.
+        self.wanted: dict[str, int] = dict(self._finer)
         self._decimals = decimals
         self._known: dict[Expression, Expression] = {}
         # The same by the size of a value: of ratios of plain angles there are many forms.
         self._by_size: dict[str, Expression] = {}
         # Those of which nothing but the figures is on paper.
         self._alone: set[Expression] = set()
+
+    def count(self, tree: Expression) -> int:
+        """How many figures a value has on the way: four, or what it takes to lead to others."""
+        own = self._finer.get(_digits_of(tree)) if self._finer else None
+        return own or FIGURES_BETWEEN
+
+    def _figures_of(self, tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
+        return figures_of(tree, max(figures, self.count(tree)))
 
     def is_of_roots(self, tree: Expression) -> bool:
         """Whether a value as it comes out is a sum of roots that is carried in figures.
@@ -230,7 +251,7 @@ class Figures:
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        number = figures_of(own) if self.is_carried(own) else self.in_letters(own)
+        number = self._figures_of(own) if self.is_carried(own) else self.in_letters(own)
         if number is not None:
             self._known[own] = number
             self._by_size.update(_by_its_size(own, number))
@@ -249,7 +270,9 @@ class Figures:
         if isinstance(tree, Negate):
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
-        own = figures_of(tree) if self.is_of_roots(tree) else self._multiple_of_roots(tree)
+        own = (
+            self._figures_of(tree) if self.is_of_roots(tree) else self._multiple_of_roots(tree)
+        )
         if self.with_calculator and tree not in self._known and self._is_of_several(tree):
             own = self._of_size(tree) or own
         return self._known.get(tree, own or tree)
@@ -304,7 +327,7 @@ class Figures:
     def outcome(self, tree: Expression) -> Expression:
         """A number, or a multiple of letters by one, in figures; any other value as it is."""
         if of_plain_angles(tree):
-            return figures_of(tree) or tree
+            return self._figures_of(tree) or tree
         parts = number_and_letters(tree)
         if parts is None or parts[0].is_Rational:
             return tree
@@ -325,7 +348,7 @@ class Figures:
             tree = _by_degrees(tree)
         if self.with_calculator and not has_quantity(tree) and self.has_sums_of_roots(tree):
             tree = self._with_multiples(tree)
-        for figures in _FIGURES_BEFORE_A_ROUNDING:
+        for figures in FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
             more = self._more_figures(tree, figures)
             known = nested.get(tree) or exchanged(
@@ -339,6 +362,7 @@ class Figures:
                 put = swept(rebuilt(swept(put), _sign_outside))
             # Figures that lead to others in the end would make the line false.
             if not _differ(tree, put):
+                self.wanted.update({_digits_of(node): figures for node in more})
                 return put
             if not nested and not self.with_calculator:
                 return tree
@@ -349,7 +373,7 @@ class Figures:
         if not self.is_carried(tree) or letters(tree):
             return None
         answer = figures_of(tree, FIGURES_OF_ANSWERS)
-        numbers = (figures_of(tree, n) for n in _FIGURES_BEFORE_A_ROUNDING)
+        numbers = (figures_of(tree, n) for n in FIGURES_BEFORE_A_ROUNDING)
         return next(
             (own for own in numbers if own and figures_of(own, FIGURES_OF_ANSWERS) == answer), None
         )
@@ -381,12 +405,12 @@ class Figures:
             worked = awkward or is_long or self._is_number_of_several(tree)
             worked = worked or (behind and _has_long_numbers(tree))
             if whole and worked and not has_unit_vector(tree):
-                number = figures_of(tree, figures)
+                number = self._figures_of(tree, figures)
                 return {} if number is None else {tree: number}
             is_carried = self._is_long  # every sum of numbers is worked out
         parts = [node for node in walk(tree) if is_carried(node)]
         if self.with_calculator:
-            parts += filter(_is_over_a_root, walk(tree))
+            parts += (node for node in walk(tree) if _is_over_a_root(node) or _is_over_a_sum(node))
         parts += [
             node.argument
             for node in walk(tree)
@@ -394,7 +418,7 @@ class Figures:
         ]
         if outcome and self.has_sums_of_roots(tree) and not has_quantity(tree):
             parts.append(tree)
-        values = {part: figures_of(part, figures) for part in parts if not letters(part)}
+        values = {part: self._figures_of(part, figures) for part in parts if not letters(part)}
         if self.with_calculator:
             values |= {part: self.in_letters(part) for part in parts if letters(part)}
         return {node: number for node, number in values.items() if number is not None}
@@ -462,98 +486,17 @@ class Figures:
                     self.note(size)
 
 
-def is_sum_with_inverse(tree: Expression) -> bool:
-    """Whether a tree is a sum of numbers of degrees with the inverse of a ratio among them."""
-    return (
-        is_binary(tree, "+", "-") and _is_sum_of_angles(tree) and any(map(is_inverse, walk(tree)))
-    )
-
-
-def is_sum_of_inverses_of_roots(tree: Expression) -> bool:
-    """Whether a sum of angles has several inverses, with roots among them, that nobody reads."""
-    inverses = [node for node in walk(tree) if is_inverse(node)]
-    return is_sum_with_inverse(tree) and len(inverses) > 1 and any(map(has_root, inverses))
-
-
-def _is_sum_of_angles(tree: Expression) -> bool:
-    match unsigned(tree):
-        case Binary("+" | "-", left, right):
-            return _is_sum_of_angles(left) and _is_sum_of_angles(right)
-        case own:
-            return isinstance(own, Degrees) or is_inverse(own)
-
-
-def is_figures(tree: Expression) -> bool:
-    """Whether a side is a number, or a sum of numbers of degrees that has some in figures."""
-    own = unsigned(tree)
-    inside = walk(own)
-    return isinstance(own, Number) or (
-        _is_sum_of_angles(own)
-        and any(isinstance(node, RoundedDegrees) for node in inside)
-        and not any(map(is_inverse, inside))
-    )
-
-
-def is_inverse(tree: Expression) -> bool:
-    """Whether a tree is the inverse of a ratio that is a number: arctan 0.45."""
-    return isinstance(tree, Apply) and tree.function in _INVERSES and not letters(tree)
-
-
-def angles_in_figures(tree: Expression) -> Expression:
-    """A sum of angles with the degrees of each inverse of a ratio: 35° + 22.78°.
-
-    The tree itself where they lead to another answer.
-    """
-    answer = degrees_of(tree, FIGURES_OF_ANSWERS)
-    for figures in _FIGURES_BEFORE_A_ROUNDING:
-        put = swept(rebuilt(tree, partial(_in_degrees, figures=figures)))
-        if degrees_of(put, FIGURES_OF_ANSWERS) == answer:
-            return put
-    return tree
-
-
-def bound_in_figures(tree: Expression) -> Expression:
-    """A bound with the degrees of each sum of angles: 70° − 53.13°, and below it tan 16.87°."""
-
-    def change(own: Expression) -> Expression:
-        match own:
-            case Apply(name, angle) if name in _RATIOS and is_sum_with_inverse(angle):
-                return Apply(name, degrees_of(angle) or angle)
-        return own
-
-    if is_sum_with_inverse(tree):
-        return angles_in_figures(tree)
-    return swept(rebuilt(tree, change)) if any(map(is_inverse, walk(tree))) else tree
-
-
 def _by_degrees(tree: Expression) -> Expression:
     """A ratio of a sum of angles, or a multiple of one, with its figures: 4.983 sin 52.24°."""
     match tree:
         case Negate(operand):
             return Negate(_by_degrees(operand))
-        case Apply(name, angle) if name in _RATIOS and is_sum_with_inverse(angle):
+        case Apply(name, angle) if name in RATIOS and is_sum_with_inverse(angle):
             return Apply(name, degrees_of(angle) or angle)
-        case Binary("*", size, Apply(name, angle)) if name in _RATIOS and is_sum_with_inverse(
-            angle
-        ):
+        case Binary("*", size, Apply(name, angle)) if name in RATIOS and is_sum_with_inverse(angle):
             number = (figures_of(size) if _is_long(size) else None) or size
             return Binary("*", number, Apply(name, degrees_of(angle) or angle))
     return tree
-
-
-def _in_degrees(tree: Expression, figures: int) -> Expression:
-    """The degrees of the inverse of a ratio; any other tree as it is."""
-    return (degrees_of(tree, figures) or tree) if is_inverse(tree) else tree
-
-
-def degrees_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
-    """An angle in degrees to so many figures; None of one that is very small."""
-    value = scalar_worth(tree)
-    number = None if value is None else number_carried(value * 180 / sp.pi, figures)
-    if number is None:
-        return None
-    size = RoundedDegrees(abs(number), figures)
-    return Negate(size) if number < 0 else size
 
 
 def _is_quotient_of_numbers(tree: Expression) -> bool:
@@ -605,6 +548,11 @@ def _is_over_a_root(tree: Expression) -> bool:
         case Binary("/", above, below):
             return _has_root_of_ratios(above) and _is_root_of_ratios(below)
     return False
+
+
+def _is_over_a_sum(tree: Expression) -> bool:
+    """Whether a number is a quotient by a sum with ratios: of what an equation has given."""
+    return is_binary(tree, "/") and _is_long(tree.right) and not letters(tree)
 
 
 def _has_long_numbers(tree: Expression) -> bool:
@@ -686,6 +634,12 @@ def _differ(exact: Expression, put: Expression) -> bool:
     return is_measure_of_angle(put) or (
         figures_of(exact, FIGURES_OF_ANSWERS) != figures_of(put, FIGURES_OF_ANSWERS)
     )
+
+
+def _digits_of(tree: Expression) -> str:
+    """Many figures of the size of a number, which tell it from others on paper."""
+    value = scalar_worth(tree)
+    return "" if value is None else str(sp.Abs(value).evalf(_FIGURES_TOLD))
 
 
 def figures_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
