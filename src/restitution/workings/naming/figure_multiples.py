@@ -21,10 +21,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.writing.forms import product, tree_of
-from restitution.workings.naming.measured import number_carried, scalar_worth
-
-# Of a value on the way, so that three are right in the end.
-FIGURES_BETWEEN = 4
+from restitution.workings.naming.measured import FIGURES_BETWEEN, number_carried, scalar_worth
 
 
 @lru_cache(maxsize=4096)

@@ -40,13 +40,13 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.forms import swept
 from restitution.workings.naming.figure_multiples import (
-    FIGURES_BETWEEN,
     is_one_term,
     multiple_of,
     number_and_letters,
 )
 from restitution.workings.naming.long_sums import sum_in_figures
 from restitution.workings.naming.measured import (
+    FIGURES_BETWEEN,
     is_measure_of_angle,
     number_carried,
     rounded,
@@ -60,7 +60,6 @@ from restitution.workings.naming.roots_of_roots import (
 )
 from restitution.workings.naming.sums_in_degrees import (
     FIGURES_BEFORE_A_ROUNDING,
-    FIGURES_BETWEEN,
     FIGURES_OF_ANSWERS,
     RATIOS,
     angles_in_figures,
@@ -270,9 +269,7 @@ class Figures:
         if isinstance(tree, Negate):
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
-        own = (
-            self._figures_of(tree) if self.is_of_roots(tree) else self._multiple_of_roots(tree)
-        )
+        own = self._figures_of(tree) if self.is_of_roots(tree) else self._multiple_of_roots(tree)
         if self.with_calculator and tree not in self._known and self._is_of_several(tree):
             own = self._of_size(tree) or own
         return self._known.get(tree, own or tree)

@@ -38,6 +38,8 @@ from restitution.wording.units import style_of
 from restitution.work import remembered
 
 _FIGURES = 3
+# Of a value on the way, so that three are right in the end.
+FIGURES_BETWEEN = 4
 # A decimal of so many figures is exact, and not rounded to three.
 _EXACT_FIGURES = 4
 # Values beyond these would need a power of ten.

@@ -22,10 +22,8 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import swept
-from restitution.workings.naming.measured import number_carried, scalar_worth
+from restitution.workings.naming.measured import FIGURES_BETWEEN, number_carried, scalar_worth
 
-# Of a value on the way, so that three are right in the end.
-FIGURES_BETWEEN = 4
 FIGURES_OF_ANSWERS = 3
 FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 RATIOS = frozenset({"sin", "cos", "tan", "cot"})
