@@ -254,6 +254,50 @@ find speed(P, 0)
         ("stays 10 × 0.8 = 8 m s⁻¹",),
         ("−8",),
     ),
+    "a ratio that is given goes into the shortest side": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/k
+given tan(alpha) = 2, tan(angle(velocity(P), W)) = 1
+find k
+""",
+        ("1 = (1/k)u sin α/(u cos α) = (tan α)/k", "Since tan α = 2:\n    1 = 2/k\n    k = 2"),
+        ("√5",),
+    ),
+    "speeds of one component each are compared as they are": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at 90° to W
+P hits W: e = 1/3
+given speed(P, 0) = k speed(P)
+find k
+""",
+        ("k(u/3) = u\n         k = 3",),
+        ("k²",),
+    ),
+    "a letter for a ratio is worked out in one line": (
+        """
+wall W: along i
+sphere P: mass m, velocity -3 j
+P hits W: e = 1/2
+let k = speed(P, 0)/speed(P)
+find k
+""",
+        ("k = 3/(3/2) = 2",),
+        ("Taking the ratio",),
+    ),
+    "a ratio of tangents comes of one of them": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 2/3
+let beta = angle(velocity(P), W)
+find tan(alpha)/tan(beta)
+""",
+        ("tan β = ⅔u sin α/(u cos α) = ⅔ tan α", "(tan α)/tan β = 3/2"),
+        ("arctan",),
+    ),
     "the greatest tangent of a difference of two letters": (
         """
 wall W: along i

@@ -35,6 +35,7 @@ from restitution.planning.writing.gathering import (
 from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
 from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.plain_products import with_plain_products
+from restitution.planning.writing.ratios_put_in import with_ratios_put_in
 from restitution.planning.writing.squares_together import with_squares_together
 from restitution.planning.writing.values_first import with_values_first
 from restitution.problem import Problem
@@ -59,7 +60,13 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
     for shortened in (
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
-        *(with_values_first, with_known_directions, with_complements, with_conjugates),
+        *(
+            with_ratios_put_in,
+            with_values_first,
+            with_known_directions,
+            with_complements,
+            with_conjugates,
+        ),
         *(with_angles_of_paths, with_kept_ratios, with_one_angle, with_squares_together),
     ):
         shorter = shortened(whole, oracle)

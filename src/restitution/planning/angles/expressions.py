@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Move, Ref, numbers_in
+from restitution.explaining.lines.derivation import Meaning, Move, Ref, numbers_in
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
@@ -32,7 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.decimal_angles import write_decimal
 from restitution.planning.angles.quantities import formula
-from restitution.planning.angles.turning import angle_line
+from restitution.planning.angles.turning import angle_line, is_angle, quantity_of, write_ratio
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.squared_ratios import write_by_squares
 from restitution.planning.formulas.definitions import Formula, write_formula
@@ -89,7 +89,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     refs: list[Ref] = []
     ranges: list[Ref] = []
     sources = {node: _value_of(scene, node) for node in _in_order(asked)}
-    for node in outermost(asked):
+    for node in _parts(asked):
         source = sources[node]
         if source is None:
             continue
@@ -118,14 +118,14 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
             line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
         return line, final
     final = in_shorter_form(scene, right, final)
-    if len(set(refs)) == 1:
+    if len(set(refs)) == 1 or _is_of_one_line(scene, refs):
         # Of one line there is nothing to put in.
         if is_function(asked, "abs"):
             return _size_of_a_number(scene, asked, refs[0], final), final
         own_form = chain(asked, (final, None))
         # A ratio of an angle that is multiplied by may have to be none that vanishes.
         known = scene.judge.known(letters(asked))
-        premises_ = scene.judge.enough(Move("rearrange"), tuple(refs[:1]), own_form, known)
+        premises_ = scene.judge.enough(Move("rearrange"), tuple(refs), own_form, known)
         line = scene.desk.write(Move("rearrange"), premises_ or refs, own_form)
         return line, final
     # What stands first is where the line starts from: of a quotient what is above.
@@ -146,6 +146,13 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     return scene.desk.write(Move("put"), premises, whole), final
 
 
+def _is_of_one_line(scene: Scene, refs: Sequence[Ref]) -> bool:
+    """Whether what a value rests on is one line, and what letters stand for."""
+    lines = [scene.desk.line(ref) for ref in numbers_in(dict.fromkeys(refs))]
+    relations = [line for line in lines if not isinstance(line.relation, Meaning)]
+    return len(relations) == 1 and len(lines) == len(set(refs))
+
+
 def formula_of_squares(scene: Scene, asked: Expression) -> Formula | None:
     """What an energy, its change, a fraction of it or the square of a speed is by definition."""
     return formula(scene, asked) if isinstance(asked, Quantity) else _of_squares(scene, asked)
@@ -160,11 +167,26 @@ def _of_squares(scene: Scene, asked: Expression) -> Formula | None:
 
 def _in_order(asked: Expression) -> list[Expression]:
     """The quantities of an expression in their order: an energy before what is lost of it."""
-    nodes = outermost(asked)
+    nodes = _parts(asked)
     match asked:
         case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             return nodes[::-1]
     return nodes
+
+
+def _parts(asked: Expression) -> list[Expression]:
+    """The quantities and letters in an expression; of an angle of the motion its one ratio."""
+    nodes, ratios = list(walk(asked)), dict[Expression, set[Expression]]()
+    for node in nodes:
+        match node:
+            case Apply("sin" | "cos" | "tan", Quantity(kind) as angle) if kind in ANGLES:
+                ratios.setdefault(angle, set()).add(node)
+    alone = {
+        angle: next(iter(own))
+        for angle, own in ratios.items()
+        if len(own) == 1 and nodes.count(angle) == nodes.count(next(iter(own)))
+    }
+    return [alone.get(node, node) for node in outermost(asked)]
 
 
 def _roots_apart(scene: Scene, tree: Expression) -> Expression | None:
@@ -321,6 +343,15 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
     if known is not None:
         value, more = scene.put(known.value)
         return Source(value, together(known.refs, more))
+    match node:
+        case Apply("sin" | "cos" | "tan" as ratio, Quantity() | Letter() as angle) if is_angle(
+            scene, angle
+        ):
+            quantity = quantity_of(scene, angle)
+            number, own_ratio = write_ratio(scene, ratio, quantity)
+            value = scene.scalar(own_ratio.only[-1].right)
+            named = () if isinstance(angle, Letter) else (letter_of(scene, quantity)[1],)
+            return Source(value, (number, *named))
     if isinstance(node, Quantity) and node.kind in ANGLES:
         line = angle_line(scene, node)
         return Source(scene.scalar(scene.desk.last_link(line).right), (line,))

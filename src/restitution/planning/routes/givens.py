@@ -615,10 +615,16 @@ def _of_two_components(
     right = bases[1] if factor == ONE else swept(product(factor, bases[1]))
     relation = chain(right, (bases[0], None))
     refs = scene.judge.enough(a.move, together(equation.refs, a.refs, (second,)), relation, known)
-    if refs is None:
+    if refs is not None:
+        return scene.desk.write(a.move, refs, relation)
+    # One at the start is read off.
+    own = chain(equation.link.left, (bases[0], None))
+    first = scene.judge.write((a.move,), (*a.refs, *known), own, a.refs, "silent")
+    pool = None if first is None else (*equation.refs, first, second)
+    number = None if pool is None else scene.judge.write((Move("put"),), pool, relation)
+    if number is None:
         scene.desk.back(mark)
-        return None
-    return scene.desk.write(a.move, refs, relation)
+    return number
 
 
 def _of_several(scene: Scene, equation: GivenEquation) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 import sympy as sp
 
@@ -36,7 +37,6 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
-from restitution.planning.angles.expressions import write_expression
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.ratios_by_speeds import write_ratio_of_path
 from restitution.planning.angles.sums_of_angles import (
@@ -70,6 +70,7 @@ from restitution.planning.routes.determining import (
     write_determined,
 )
 from restitution.planning.routes.given_shares import write_given_share
+from restitution.planning.routes.named_expressions import end_named_expression
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.angle_ratios import (
@@ -123,6 +124,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _quantity(scene, solver, asked, name)
         case Apply("tan") if (two := write_tangent_of_two(scene, asked)) is not None:
             _end(scene, asked, name, two)
+        case Binary("*" | "/") if any(map(partial(_is_of_the_motion, scene), walk(asked))):
+            _expression(scene, solver, asked, name)
         case _ if not has_quantity(asked):
             _of_letters(scene, solver, asked, name)
         case _:
@@ -167,7 +170,8 @@ def _letter_asked(scene: Scene, asked: Letter, name: str) -> None:
     """A letter: by the expression that it is, by its line, or by a ratio that is given of it."""
     defining = _defining(scene, asked)
     if defining is not None:
-        _named_expression(scene, asked, defining, defining.relation.only[0].right, name)
+        expression = defining.relation.only[0].right
+        end_named_expression(scene, asked, defining, expression, name)
         return
     known = scene.desk.known(asked) or _by_its_given_ratio(scene, asked.name)
     if known is None:
@@ -328,6 +332,14 @@ def _expression(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
     scene.desk.end(name, line, answer)
 
 
+def _is_of_the_motion(scene: Scene, tree: Expression) -> bool:
+    """Whether a tree is a ratio of an angle of the motion, which the statement has as a letter."""
+    match tree:
+        case Apply("sin" | "cos" | "tan", Letter() as angle):
+            return is_angle(scene, angle)
+    return False
+
+
 def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:
     """A ratio of an angle that is a letter."""
     known = scene.desk.known(asked)
@@ -375,7 +387,7 @@ def _named(scene: Scene, solver: Solver, asked: Letter, fact: Fact, name: str) -
     """A letter by which the statement calls a quantity."""
     quantity = fact.relation.only[0].left
     if not isinstance(quantity, Quantity):
-        _named_expression(scene, asked, fact, quantity, name)
+        end_named_expression(scene, asked, fact, quantity, name)
         return
     known = scene.desk.known(asked)
     if known is not None:
@@ -392,26 +404,6 @@ def _named(scene: Scene, solver: Solver, asked: Letter, fact: Fact, name: str) -
         raise NotPlannedError(f"{asked.name} by itself")
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
     scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
-
-
-def _named_expression(
-    scene: Scene, asked: Letter, fact: Fact, expression: Expression, name: str
-) -> None:
-    """A letter by which the statement calls an expression: what that is worth."""
-    known = scene.desk.known(expression)
-    if known is not None:
-        value, refs = scene.put(known.value)
-        refs, tree = together(known.refs, refs), tree_of(value)
-    elif has_quantity(expression):
-        line, tree = write_expression(scene, expression)
-        refs = (line,)
-    else:
-        raise NotPlannedError("a letter for an expression of letters")
-    relation = chain(asked, (tree, None))
-    premises = scene.judge.enough(Move("put"), refs, relation, (fact.id,))
-    if premises is None:
-        raise NotPlannedError("a letter for an expression of quantities")
-    scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
 
 
 def _defining(scene: Scene, asked: Letter) -> Fact | None:

@@ -12,7 +12,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation, citing
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
@@ -99,20 +99,16 @@ def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivatio
     again = [e for e in lines if e.premises == (law.number,) and e.relation == relation]
     if any(line.number in derivation.held for line in again):
         return None
-    lines = tuple(_resting_on(line, law, again) for line in lines if line not in again)
+    instead: dict[Ref, Ref] = {own.number: law.number for own in again}
+    lines = tuple(
+        replace(line, premises=citing(line.premises, instead)) if instead else line
+        for line in lines
+        if line not in again
+    )
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)
     touched = {*changed, *(e.number for e in lines if law.number in e.premises)}
     return whole if all(read.accepts(read.lines[n]) for n in touched) else None
-
-
-def _resting_on(line: Line, law: Line, again: list[Line]) -> Line:
-    """A line that rests on a law in place of those that would say it again."""
-    numbers = {own.number for own in again}
-    if numbers.isdisjoint(line.premises):
-        return line
-    refs = (law.number if ref in numbers else ref for ref in line.premises)
-    return replace(line, premises=tuple(dict.fromkeys(refs)))
 
 
 def _component(line: Line) -> _Component | None:
