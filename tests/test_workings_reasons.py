@@ -370,7 +370,7 @@ show angle(velocity(P), W) <= alpha
             "wall W: along i - j\nsphere P: velocity v at theta\nP hits W: e = 1/4\n"
             "given velocity(P) = 3i, 180° < theta < 270°\nfind v, theta"
         ),
-        ["Components before the impact:", "= (−v cos θ − v sin θ)/√2", "Parallel to W"],
+        ["Component before the impact:", "= (−v cos θ − v sin θ)/√2", "Parallel to W"],
     ),
     # 4 + M = 1 + 2M and 3 + M = 6.
     "momentum as vectors is compared by its components": (

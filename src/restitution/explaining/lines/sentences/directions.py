@@ -123,7 +123,8 @@ SENTENCES: Mapping[str, str] = {
         "{wall} and {next} meet at {angle}. The angle between the path and {next}:"
     ),
     "next-wall.corner": (
-        "{wall} and {next} meet at {angle}. The rest of the triangle that the path makes with them:"
+        "{wall} and {next} meet at {angle}. Third angle of the triangle that they make with the "
+        "path:"
     ),
     "between.line": "{body} moves along the line of centres:",
     "between.line-back": (
