@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from restitution.explaining.lines.derivation import Line, Link
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     unsigned,
 )
@@ -66,6 +67,34 @@ def is_made_of_figures(tree: Expression) -> bool:
 def sign_of(link: Link) -> str:
     """The sign of a link as it is printed."""
     return lay.SIGNS.get(link.sign, link.sign)
+
+
+def is_by_axis(derivation: Derivation, line: Line) -> bool:
+    """Whether a ratio is that of a line of centres which a line tells, and of no components."""
+    above = derivation.lines_in(line.premises)
+    return any(
+        isinstance(own.relation, Relation)
+        and is_quantity(own.relation.options[0][0].left, "line_of_centres")
+        for own in above
+    )
+
+
+def tangent_left_out(derivation: Derivation, line: Line, link: Link) -> Expression | None:
+    """The given sum or difference of angles of which a row is the tangent, if it is left out.
+
+    None where the row has the tangent of an angle on a side.
+    """
+    if line.move.record != "sum-of-angles" or not isinstance(link.left, Binary):
+        return None
+    if link.left.op != "/" or isinstance(link.right, Apply):
+        return None
+    for ref in line.premises:
+        fact = derivation.fact(ref)
+        if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+            match fact.relation.only:
+                case (Link(Binary("+" | "-") as angle, "="),):
+                    return angle
+    return None
 
 
 def unrationalised(naming: Naming, ratio: Expression) -> lay.Layout:

@@ -40,10 +40,12 @@ from restitution.render.text import to_text
 from restitution.workings.chain_sides import (
     Draft,
     as_printed,
+    is_by_axis,
     is_made_of_figures,
     is_multiple,
     is_value,
     sign_of,
+    tangent_left_out,
     unrationalised,
 )
 from restitution.workings.leads.senses import direction_by_its_sense
@@ -57,6 +59,7 @@ from restitution.workings.naming.figures import (
     of_plain_angles,
     plain_angles,
 )
+from restitution.workings.naming.long_numbers import has_long_numbers
 from restitution.workings.naming.measured import (
     Measures,
     as_answer,
@@ -72,13 +75,14 @@ from restitution.workings.naming.measured import (
     with_unit,
 )
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.roots_of_roots import has_long_root
 from restitution.workings.naming.row_sides import (
     has_decimals,
-    has_long_root,
     is_vector_of_short_decimals,
     turned_side,
     without_doubles,
 )
+from restitution.workings.naming.scaled_equations import in_decimals_as_above
 from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
 from restitution.workings.naming.solved_figures import leads_elsewhere
 from restitution.workings.naming.sources import is_time, is_vector
@@ -123,7 +127,9 @@ class Chains:
         self._naming = naming
         self._measures = measures
         self._ends = ends
-        self._figures = Figures(is_with_calculator(derivation), measures.decimals, finer)
+        self._long_numbers = measures.decimals and has_long_numbers(derivation)
+        calculator = self._long_numbers or is_with_calculator(derivation)
+        self._figures = Figures(calculator, measures.decimals, finer, self._long_numbers)
         # Lines with figures in place of values: their first two sides, by the number.
         self._with_figures: dict[int, tuple[Expression, Expression]] = {}
         # The left sides of lines with figures in place of roots of sums of roots.
@@ -160,6 +166,8 @@ class Chains:
         whole = self._by_letters(line, links) or self._in_words(line, links)
         if whole is not None:
             return whole
+        if self._long_numbers:
+            links = in_decimals_as_above(self._derivation, line, links)
         draft = self._draft(line, links)
         self._as_asked(draft, last)
         self._with_quotients(draft)
@@ -263,7 +271,7 @@ class Chains:
         """Quotients as they stand before they are shortened, and the tangent that is left out."""
         line, links, trees = draft.line, draft.links, draft.trees
         sides, signs = draft.sides, draft.signs
-        if (angle := self._tangent_of(line, links[0])) is not None:
+        if (angle := tangent_left_out(self._derivation, line, links[0])) is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
         match links[0].right:
             case Binary("/") | Negate(Binary("/")) if (
@@ -281,8 +289,8 @@ class Chains:
                 own = lay.fraction(*map(self._naming.layout, (above, below)))
                 sides[1] = lay.negative(own) if isinstance(ratio, Negate) else own
         without_doubles(sides, signs)
-        quotient = self._quotient(line, links[0])
-        if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
+        quotient, number = self._quotient(line, links[0]), isinstance(sides[1], lay.Number)
+        if quotient is not None and number and not is_by_axis(self._derivation, line):
             alone = len(trees) == 2 and self._naming.in_fractions(trees[0])
             sides[1 : 1 + alone], signs[:alone] = [quotient], ["="]
 
@@ -414,7 +422,9 @@ class Chains:
             and links[0].sign == "="
         ):
             whole = self._figures.sum_in_letters(trees[0]) if worked else None
-            trees[0] = whole or self._figures.put(trees[0], worked)
+            within = self._figures.within(trees[0]) if line.move.id == "put" else trees[0]
+            own = self._figures.put(trees[0], worked) if within == trees[0] else within
+            trees[0] = whole or own
         for n, link in enumerate(() if plain else links, 1):
             if link.sign in ("=", "≈"):
                 trees[n] = self._side_in_figures(line, trees, n, worked)
@@ -505,7 +515,8 @@ class Chains:
         side = put(tree, outcome, behind=n > 1)
         if n == 1 and calculated and line.move.id == "define" and self._is_worked_out_here(trees):
             return tree if isinstance(unsigned(side), Number) else side
-        return side
+        within = self._figures.within(tree) if n == 1 < len(trees) - 1 and not worked else tree
+        return side if within == tree else within
 
     def _is_worked_out_here(self, trees: Sequence[Expression]) -> bool:
         """Whether the first of several values is a sum of roots that is new on paper."""
@@ -537,32 +548,6 @@ class Chains:
                 sides = [self._naming.layout(tree) for tree in (above, below)]
                 if all(isinstance(side, lay.Number) for side in sides):
                     return lay.Fraction(*sides)
-        return None
-
-    def _by_axis(self, line: Line) -> bool:
-        """Whether a ratio is that of a line of centres which a line tells, and of no components."""
-        above = self._derivation.lines_in(line.premises)
-        return any(
-            isinstance(own.relation, Relation)
-            and is_quantity(own.relation.options[0][0].left, "line_of_centres")
-            for own in above
-        )
-
-    def _tangent_of(self, line: Line, link: Link) -> Expression | None:
-        """The given sum or difference of angles of which a row is the tangent, if it is left out.
-
-        None where the row has the tangent of an angle on a side.
-        """
-        if line.move.record != "sum-of-angles" or not isinstance(link.left, Binary):
-            return None
-        if link.left.op != "/" or isinstance(link.right, Apply):
-            return None
-        for ref in line.premises:
-            fact = self._derivation.fact(ref)
-            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
-                match fact.relation.only:
-                    case (Link(Binary("+" | "-") as angle, "="),):
-                        return angle
         return None
 
     def _placed(

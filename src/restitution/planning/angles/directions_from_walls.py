@@ -14,6 +14,7 @@ from restitution.expression.tree import RIGHT_ANGLE, Degrees, Expression, Name, 
 from restitution.planning.formulas.components_of_data import is_polar
 from restitution.planning.formulas.next_walls import standing_angle, turn_of_wall
 from restitution.planning.formulas.velocity_formulas import body_and_stage
+from restitution.planning.writing.angles import angle_to_a_line
 from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import tree_of
@@ -35,7 +36,7 @@ def direction_from_a_wall(
     here = turn_of_wall(scene, wall)
     if not isinstance(here, Degrees) or here.value % RIGHT_ANGLE.value == 0:
         return None
-    if not is_polar(scene, body) or scene.desk.known(velocity) is not None:
+    if scene.desk.known(velocity) is not None or not _is_at_an_angle(scene, body, stage):
         return None
     own = scene.velocity(body, stage)
     value = sp.sympify(scene.model.in_data(own.y * own.x), strict=True)
@@ -62,6 +63,16 @@ def direction_from_a_wall(
                     return scene.desk.write(move, refs, relation)
     scene.desk.back(mark)
     return None
+
+
+def _is_at_an_angle(scene: Scene, body: str, stage: int) -> bool:
+    """Whether a velocity of the data is told by an angle; along an axis by that of the wall."""
+    if is_polar(scene, body):
+        return True
+    wall = scene.facts.get(f"wall {scene.model.frames[stage].wall}")
+    if wall is None or scene.last_event(body, stage - 1):
+        return False
+    return angle_to_a_line(scene, body, wall.relation.only[0].right) is not None
 
 
 __all__ = ["direction_from_a_wall"]

@@ -54,6 +54,7 @@ from restitution.workings.naming.measured import (
     worth,
 )
 from restitution.workings.naming.roots_of_roots import (
+    is_long_number,
     is_nested_root,
     is_of_nested_roots,
     is_to_be_worked_out,
@@ -178,6 +179,7 @@ class Figures:
         with_calculator: bool = False,
         decimals: bool = False,
         finer: Mapping[str, int] | None = None,
+        long_numbers: bool = False,
     ) -> None:
         self.with_calculator = with_calculator
         # How many figures the values of these sizes have, where four lead to others in the end.
@@ -185,6 +187,7 @@ class Figures:
         #: The same as it comes out while lines are written.
         self.wanted: dict[str, int] = dict(self._finer)
         self._decimals = decimals
+        self._long_numbers = long_numbers
         self._known: dict[Expression, Expression] = {}
         # The same by the size of a value: of ratios of plain angles there are many forms.
         self._by_size: dict[str, Expression] = {}
@@ -203,8 +206,11 @@ class Figures:
         """Whether a value as it comes out is a sum of roots that is carried in figures.
 
         It is one with roots of sums of roots, or the root of one; with a calculator every sum of
-        different roots. A sum of products of such values is still to be worked out.
+        different roots. A sum of products of such values is still to be worked out. Among decimals
+        it is a long fraction, and a multiple of the root of a long number, too.
         """
+        if self._long_numbers and is_long_number(tree):
+            return True
         return is_of_nested_roots(tree, self.with_calculator)
 
     def has_sums_of_roots(self, tree: Expression) -> bool:
@@ -374,6 +380,19 @@ class Figures:
         return next(
             (own for own in numbers if own and figures_of(own, FIGURES_OF_ANSWERS) == answer), None
         )
+
+    def within(self, tree: Expression) -> Expression:
+        """Among long numbers an expression with figures for each value in it; else the tree."""
+        if not self._long_numbers:
+            return tree
+        parts = {
+            node: own
+            for node in walk(tree)
+            if not (node == tree or letters(node) or is_binary(node, "+", "-"))
+            and (own := self.instead_of(node)) != node
+        }
+        put = exchanged(tree, parts)
+        return tree if parts and _differ(tree, put) else put
 
     def _more_figures(self, tree: Expression, figures: int) -> dict[Expression, Expression]:
         """The values in a tree that are on paper, with more figures than they have there."""

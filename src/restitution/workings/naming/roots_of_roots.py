@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -15,6 +17,13 @@ from restitution.expression.tree import (
     is_function,
     walk,
 )
+
+# Whole numbers from here on are too long to stand under a root.
+_LONG_ROOT = 1000
+# A fraction with such a divisor is no number that people read, but for a decimal with an end.
+_LONG_BELOW, _PARTS = 100, 10**6
+# Numbers below this are short beside a root.
+_SHORT = 10
 
 
 def is_of_nested_roots(tree: Expression, every: bool) -> bool:
@@ -70,3 +79,67 @@ def is_to_be_worked_out(tree: Expression) -> bool:
 def is_nested_root(tree: Expression) -> bool:
     """Whether a value is a root below which there is another."""
     return is_function(tree, "sqrt") and has_root(tree.argument)
+
+
+def has_long_root(tree: Expression, longest: int = _LONG_ROOT) -> bool:
+    """Whether a number of four figures or more stands under a root, which nobody reads."""
+    return any(
+        is_function(node, "sqrt")
+        and any(isinstance(e, Number) and e.value >= longest for e in walk(node.argument))
+        for node in walk(tree)
+    )
+
+
+def is_long_number(tree: Expression) -> bool:
+    """Whether a number is a fraction that nobody reads, or a multiple of a root that is none.
+
+    A short multiple is one of a small root by small numbers: √3/2.
+    """
+    match tree:
+        case Negate(operand):
+            return is_long_number(operand)
+        case Number(value):
+            return _is_unreadable(value)
+        case Binary("/", Number(above), Number(below)) if above.denominator == 1:
+            return _is_unreadable(above / below)
+    return _is_multiple_of_a_root(tree) and _largest(tree) >= _SHORT
+
+
+def has_unwieldy_root(tree: Expression) -> bool:
+    """Whether a value has a root beside numbers of three figures, or a sum of roots over a number
+    of two, or the root of one of four.
+    """
+    return has_long_root(tree) or any(map(_is_unwieldy, walk(tree)))
+
+
+def _is_unwieldy(tree: Expression) -> bool:
+    match tree:
+        case Binary("/", above, Number(below)) if is_binary(above, "+", "-", "*"):
+            sums = any(is_binary(node, "+", "-") for node in walk(above))
+            plain = has_root(above) and not any(map(_is_open, walk(above)))
+            return plain and below >= (_SHORT if sums else _LONG_BELOW)
+    return _is_multiple_of_a_root(tree) and _largest(tree) >= _LONG_BELOW
+
+
+def _is_multiple_of_a_root(tree: Expression) -> bool:
+    """Whether a number is a multiple of one root, as it comes out: 9√30/65.
+
+    A product of such a number is still to be worked out.
+    """
+    match tree:
+        case Binary("/", above, Number()):
+            return not is_binary(above, "/") and _is_multiple_of_a_root(above)
+        case Binary("*", Number(size), Apply("sqrt") as root) if size.denominator == 1:
+            return _is_multiple_of_a_root(root)
+        case Apply("sqrt", Number()):
+            return True
+    return False
+
+
+def _largest(tree: Expression) -> Fraction:
+    return max(node.value for node in walk(tree) if isinstance(node, Number))
+
+
+def _is_unreadable(value: Fraction) -> bool:
+    """Whether a fraction has no end as a decimal, and a divisor of three figures or more."""
+    return value.denominator >= _LONG_BELOW and _PARTS % value.denominator != 0

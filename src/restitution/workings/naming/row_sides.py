@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Relation
-from restitution.expression.tree import Expression, Number, is_function, walk
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.naming.measured import is_plain
 from restitution.workings.naming.sources import is_vector
-
-# Whole numbers from here on are too long to stand under a root.
-_LONG_BELOW_A_ROOT = 1000
 
 
 def turned_side(side: lay.Layout) -> lay.Layout | None:
@@ -38,15 +34,6 @@ def are_values(relation: Relation) -> bool:
 
 
 __all__ = ["are_values", "turned_side", "without_doubles"]
-
-
-def has_long_root(tree: Expression, longest: int = _LONG_BELOW_A_ROOT) -> bool:
-    """Whether a number of four figures or more stands under a root, which nobody reads."""
-    return any(
-        is_function(node, "sqrt")
-        and any(isinstance(e, Number) and e.value >= longest for e in walk(node.argument))
-        for node in walk(tree)
-    )
 
 
 def is_vector_of_short_decimals(value: lay.Layout) -> bool:

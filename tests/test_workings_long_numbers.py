@@ -1,0 +1,61 @@
+"""Among decimals: roots and fractions that nobody reads are figures, and so are the equations."""
+
+from __future__ import annotations
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+
+def printed(text: str) -> str:
+    """What is printed of a working of which the follower accepts each line."""
+    explanation = explain(solve(parse(text)), check=True)
+    assert explanation.followed
+    assert not explanation.warnings
+    return " ".join(to_text(explanation, 100).split())
+
+
+def test_an_equation_between_decimals_keeps_them() -> None:
+    text = printed(
+        "wall W: along i\nsphere P: velocity 5.2 at theta to W\nP hits W: e = 0.45\n"
+        "given speed(P) = 4.1\nfind theta, angle(velocity(P), W)"
+    )
+    assert "16.81 = 5.4756(1 − cos²θ) + 27.04 cos²θ" in text
+    assert "cos²θ ≈ 0.5256 cos θ ≈ 0.7250, as θ is acute" in text
+    assert "tan β ≈ 0.4275" in text
+    assert "√" not in text
+
+
+def test_an_equation_without_an_end_has_figures() -> None:
+    text = printed(
+        "sphere A: mass 0.3, velocity 3.7 at theta\nsphere B: mass 0.4, at rest\n"
+        "A hits B: along i, e = 0.65\ngiven speed(B) = 1.9\nfind theta, speed(A)"
+    )
+    assert "4.433 ≈ 6.105 cos θ cos θ ≈ 0.7262" in text
+    assert "speed of A ≈ √(0.1535² + 2.544²) ≈ 2.55 m s⁻¹" in text
+
+
+def test_what_is_put_in_is_shown_in_figures_first() -> None:
+    text = printed(
+        "sphere A: mass 0.45, velocity 2.7i + 1.3j\nsphere B: mass 0.65, velocity -1.1i\n"
+        "A hits B: along i\ngiven speed(A) = 1.7\nfind e, angle(velocity(A), velocity(B))"
+    )
+    assert "1.528 + 1.095 ≈ e(2.7 + 1.1)" in text
+    assert "tan β ≈ 1.3/(−1.095) ≈ −1.187" in text
+
+
+def test_short_roots_stay_among_decimals() -> None:
+    text = printed(
+        "wall W: along i\nsphere P: mass 0.5, velocity 2.5 at 60° to W\nP hits W: e = 0.4\n"
+        "find speed(P)"
+    )
+    assert "√3/2" in text
+
+
+def test_the_direction_from_a_wall_at_an_angle_is_by_the_wall_for_a_path_along_an_axis() -> None:
+    text = printed(
+        "wall W: along 23°\nsphere P: mass 0.4, velocity 6.5i\nP hits W: e = 0.3\n"
+        "find speed(P), direction(P)"
+    )
+    assert "tan β = (1.95 sin 23°)/(6.5 cos 23°) = 0.3 tan 23° β ≈ 7.257°" in text
+    assert "angle from 𝐢 to 𝐯_P ≈ 23° + 7.257°" in text
