@@ -35,7 +35,12 @@ from restitution.planning.inequalities.directions_bounded import (
     write_of_direction,
     write_of_wide_angle,
 )
-from restitution.planning.inequalities.gaps import has_root, is_plain, write_difference
+from restitution.planning.inequalities.gaps import (
+    has_root,
+    is_plain,
+    write_difference,
+    write_given_gap,
+)
 from restitution.planning.inequalities.signs_of_components import write_by_components
 from restitution.planning.inequalities.standing_bounds import write_by_a_standing_bound
 from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_a_sum
@@ -102,6 +107,7 @@ class Claims(Eliminated):
                 line = line or self._by_difference_of_squares(number, relation)
                 line = line or self._by_its_sign(number, relation)
                 line = line or self._by_factors_at_sight(number, relation)
+                line = line or write_given_gap(self, number, relation)
                 line = self.monotone(number, relation) if line is None else line
                 if line is not None:
                     return line

@@ -27,11 +27,17 @@ from restitution.expression.tree import (
     Expression,
     Number,
     Quantity,
+    has_quantity,
     is_function,
     walk,
 )
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.inequalities.bounded_gaps import (
+    is_of_a_given_gap,
+    of_both_squares,
+    write_least,
+)
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, square, tree_of
@@ -149,14 +155,18 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
         sides.reverse()
         gap = -gap
     known = worths.known_in(gap)
-    for form in sorted(_forms(gap), key=_mixed):
+    both = of_both_squares(scene, gap)
+    for form in (*(() if both is None else (both,)), *sorted(_forms(gap), key=_mixed)):
         if start is None or not _is_signed(scene, form):
             continue
-        equation = equality(Binary("-", *sides), tree_of(form))
+        equation = equality(Binary("-", *sides), tree_of(form, as_it_is=form is both))
         difference = claims.judge.write(_TO_FORM, [start, *known], equation)
         if difference is None:
             continue
-        last = claims.compared([difference], relation)
+        strict: Sign = ">" if len(sign) == 1 else ">="
+        least = write_least(claims, difference, tuple(_ranges(scene, form)), strict)
+        last = None if least is None else claims.compared([difference, least], relation)
+        last = last or claims.compared([difference], relation)
         if last is None:
             pool = [difference, *_ranges(scene, form)]
             last = claims.judge.write((Move("sign"),), pool, relation)
@@ -167,6 +177,21 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
             return last
     worths.back(mark)
     return None
+
+
+def write_given_gap(claims: Comparing, line: int, relation: Relation) -> int | None:
+    """A bound by the difference to it, of which an inequality between letters is a factor.
+
+    None of any other bound: what only grows with one letter is compared at its ends.
+    """
+    whole = claims.scene.desk.last_link(line)
+    bound = None if len(relation.only) > 1 else _bound(relation.only[0], whole.left)
+    if bound is None or has_quantity(bound[1]):
+        return None
+    value, most = (scene_value(claims.scene, tree) for tree in (whole.right, bound[1]))
+    if has_root(value) or has_root(most) or not is_of_a_given_gap(claims.scene, most - value):
+        return None
+    return write_difference(claims, line, relation)
 
 
 def _ranges(scene: Scene, x: sp.Expr) -> Iterator[Ref]:
@@ -246,6 +271,6 @@ def _is_signed(scene: Scene, x: sp.Expr) -> bool:
         base, power = factor.as_base_exp()
         if power.is_Integer and power % 2 == 0:
             continue
-        if proved_sign(scene.model.inside, base) is None:
+        if proved_sign(scene.model.inside, base) is None and not is_of_a_given_gap(scene, base):
             return False
     return True

@@ -20,8 +20,10 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
+    Number,
     Quantity,
     has_quantity,
     is_function,
@@ -52,7 +54,7 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
     mark = worths.mark()
     lines: list[Ref] = []
     trees: list[Expression] = []
-    rooted = False
+    rooted = needed = False
     for side in (worths.opened(link.left), worths.opened(link.right)):
         match side:
             case Quantity("speed", _, int()) if not worths.is_data(side):
@@ -64,11 +66,12 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                 if above is not None:
                     lines.append(above)
                     trees.append(worths.scene.desk.relation(above).only[-1].right)
-                    rooted = True
+                    rooted = needed = True
                     continue
                 own = formula(worths.scene, side)
                 right = swept(own.right)
                 root = is_function(right, "sqrt")
+                needed |= root and not _is_size_of_one(worths, right)
                 subject = square(own.left) if root else own.left
                 radicand = right.argument if isinstance(right, Apply) and root else right
                 relation = equality(subject, radicand)
@@ -84,9 +87,9 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
             case _:
                 worths.back(mark)
                 return None
-    if not rooted:
+    if not rooted or not needed:
         worths.back(mark)
-        return None
+        return None  # of one component whose sign is certain no square is taken
     names = set().union(*(letters(tree) for tree in trees))
     known = worths.judge.known(names & set(worths.scene.model.unknowns.roles))
     first = Relation(((Link(trees[0], link.sign, trees[1]),),))
@@ -95,6 +98,14 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
     if solved is None:
         worths.back(mark)
     return solved
+
+
+def _is_size_of_one(worths: Worths, root: Expression) -> bool:
+    """Whether a root is that of the square of one component whose sign is certain."""
+    match root:
+        case Apply("sqrt", Binary("^", base, Number())):
+            return proved_sign(worths.scene.model.ground, worths.value(base)) is not None
+    return False
 
 
 def _standing_square(worths: Worths, speed: Quantity) -> int | None:
@@ -254,8 +265,10 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
         if shift < 0:
             inner = difference(letter, tree_of(-shift))
         link = Link(square(inner), own, tree_of(gap))
-    solved = worths.judge.write(_SOLVING[:2], [line], Relation(((link,),)))
-    if solved is None:
+    relation, solved = Relation(((link,),)), line
+    if worths.scene.desk.relation(line) != relation:
+        solved = worths.judge.write(_SOLVING[:2], [line], relation) or 0
+    if not solved:
         return line
     low, high = (tidy(-b / (2 * a) + sign * sp.sqrt(gap)) for sign in (-1, 1))
     letter = tree_of(symbol)

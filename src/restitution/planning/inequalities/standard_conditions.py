@@ -14,6 +14,7 @@ from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.solving.algebra.numbers import plain_sign
+from restitution.solving.story.letters import roles
 
 _MOVES = (Move("rearrange"), Move("cancel"), Move("compare"))
 
@@ -40,6 +41,9 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
         and len(expanded(sp.Mul(*sums)).args) == 2
     ):
         return line  # of the difference of two squares the root is taken
+    own = _in_one_letter(worths, line, known, sums, gap)
+    if own is not None:
+        return own
     sums = [-factor if factor.is_Add and _begins_below_zero(factor) else factor for factor in sums]
     rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*sums)))
     if not rest:
@@ -49,6 +53,35 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     relation = Relation(((Link(product(*trees), sign, ZERO),),))
     written = worths.judge.write(_MOVES, [line, *known], relation)
     return line if written is None else _open_factor(worths, written, sums, sign, known)
+
+
+def _in_one_letter(
+    worths: Worths, line: int, known: Sequence[Ref], sums: Sequence[sp.Expr], gap: sp.Expr
+) -> int | None:
+    """``2k² − 5k + 2 < 0``, and its factors: a quadratic in a letter that has no upper bound.
+
+    None of another product. Of a coefficient of restitution the factors have its bounds.
+    """
+    symbols = {symbol for factor in sums for symbol in factor.free_symbols}
+    if len(symbols) != 1 or len(sums) != 2 or not all(map(is_linear, sums)):
+        return None
+    (symbol,) = symbols
+    role = roles(worths.scene.problem).get(symbol.name)
+    if role is None or role.kind != "positive" or any(map(plain_sign, sums)):
+        return None
+    rising = [factor if sp.Poly(factor, symbol).LC() > 0 else -factor for factor in sums]
+    poly = sp.Poly(expanded(sp.Mul(*rising)), symbol)
+    rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*rising)))
+    sides = None if 0 in poly.all_coeffs() else _in_order(symbol, poly)
+    if not rest or sides is None:
+        return None
+    link = worths.scene.desk.last_link(line)
+    sign = link.sign if rest > 0 else FLIPPED[link.sign]
+    in_factors_ = tree_of(sp.factor(poly.as_expr()), as_it_is=True)
+    for left in (sides[0], in_factors_):
+        relation = Relation(((Link(left, sign, ZERO),),))
+        line = worths.judge.write(_MOVES, [line, *known], relation) or line
+    return line
 
 
 def _open_factor(

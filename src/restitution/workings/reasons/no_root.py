@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Link, Relation, equality
+from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
@@ -18,9 +17,9 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import REAL
-from restitution.planning.writing.forms import ZERO, negative, product, square, tree_of
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.reasons.definite_sums import without_root
 
 _UNIT = frozenset({"sin", "cos"})
 
@@ -105,18 +104,11 @@ def _of_a_quadratic(link: Link, naming: Naming) -> Sentence | None:
     discriminant = sp.nsimplify(quadratic.discriminant())
     if not discriminant.is_negative:
         return None
-    if quadratic.LC().is_negative:
-        quadratic = -quadratic
-    a, b, c = (tree_of(abs(own)) for own in quadratic.all_coeffs())
-    four = product(product(tree_of(4), a), c)
-    # Both ends have one sign, or there would be roots.
-    worth = Binary("-", square(b), four) if quadratic.nth(1) else negative(four)
-    stated = tree_of(quadratic.as_expr(), as_it_is=True)
-    whole = exchanged(stated, {tree_of(symbol): subject})
+    equation, worth = without_root(quadratic, subject)
     return say(
         "no-root.discriminant",
-        equation=naming.relation(equality(whole, ZERO)),
-        discriminant=naming.relation(equality(worth, tree_of(discriminant))),
+        equation=naming.relation(equation),
+        discriminant=naming.relation(worth),
     )
 
 

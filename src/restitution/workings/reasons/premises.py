@@ -35,6 +35,7 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.along_units import along_its_unit
 from restitution.workings.reasons.before_walls import walls_ahead
+from restitution.workings.reasons.definite_sums import definite_sums
 from restitution.workings.reasons.equality import equal_tangents
 from restitution.workings.reasons.every_value import every_positive_value
 from restitution.workings.reasons.factors import factor_cancelled
@@ -204,12 +205,20 @@ class Reasons(PositiveReasons):
             # That a sum is positive, its letters show.
             *(() if any(self._dropped(line)) else self.known(line)),
             *self._silent(line),
+            *self._definite(line),
             *self._cleared(line),
             *self._dropped(line),
             *self._divided_by(line),
         )
         # Behind what is known of a letter stand where an equality holds, and the value at its end.
         return tuple(sorted(reasons, key=lambda e: _BEHIND.get(getattr(e, "id", ""), 0)))
+
+    def _definite(self, line: Line) -> Iterator[Sentence | lay.Layout]:
+        """Which quadratics have one sign throughout, and by what."""
+        for tree, relation, by_discriminant in definite_sums(self._derivation, line, self._roles):
+            worth = self._layout(relation)
+            own = say("no-root.definite", sum=self._naming.layout(tree), discriminant=worth)
+            yield own if by_discriminant else worth
 
     def _with_what_no_premise_says(self, line: Line, reasons: Words, grounds: Words) -> Words:
         """The reasons, or where there are none what a reader sees of signs, roots and units."""

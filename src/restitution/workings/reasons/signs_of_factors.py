@@ -42,7 +42,7 @@ def signs_of_factors(
     whole = _product(derivation, line)
     if whole is None:
         return ()
-    open_ = [base for base in _bases(whole) if _is_difference(base)]
+    open_ = [base for base in bases_of(whole) if _is_difference(base)]
     hidden = any(map(_is_of_a_part, open_))
     if (len(open_) < _SEVERAL and not hidden) or has_quantity(whole):
         return ()
@@ -76,17 +76,17 @@ def _product(derivation: Derivation, line: Line) -> Expression | None:
     return None
 
 
-def _bases(tree: Expression) -> Iterator[Expression]:
+def bases_of(tree: Expression) -> Iterator[Expression]:
     """The factors of a product above and below; of a power of odd degree its base."""
     match tree:
         case Binary("/", above, below):
-            yield from _bases(above)
-            yield from _bases(below)
+            yield from bases_of(above)
+            yield from bases_of(below)
         case Binary("*"):
             for factor in factors(tree):
-                yield from _bases(factor)
+                yield from bases_of(factor)
         case Binary("^", base, Number(power)) if power.denominator == 1:
-            yield from _bases(base) if power.numerator % 2 else ()
+            yield from bases_of(base) if power.numerator % 2 else ()
         case _:
             yield tree
 
@@ -138,4 +138,4 @@ def _sign(tree: Expression, oracle: Oracle, roles: Mapping[str, Role]) -> Sign |
     return None
 
 
-__all__ = ["signs_of_factors"]
+__all__ = ["bases_of", "cited_bounds", "signs_of_factors", "worth_of"]

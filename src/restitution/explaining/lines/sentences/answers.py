@@ -101,6 +101,7 @@ SENTENCES: Mapping[str, str] = {
     "no-root.square": "a square is not negative",
     "no-root.unit": "{square} is at most 1",
     "no-root.least": "{ratio} is at least −1",
+    "no-root.definite": "the discriminant of {sum} is negative: {discriminant}",
     "no-root.discriminant": "the discriminant of {equation} is negative: {discriminant}",
     "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
