@@ -75,6 +75,33 @@ find tan(deflection(S)) in terms of phi
             "= (4 tan 2φ)/(3 − tan² 2φ)",
         ),
     ),
+    "a deflection that leaves the complement of twice an angle": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 3/8
+given deflection(P) = 90° - alpha
+find alpha
+""",
+        (
+            "β = 90° − α − α = 90° − 2α",
+            "tan(90° − 2α) = ⅜u sin α/(u cos α)",
+            "1/tan 2α = ⅜u sin α/(u cos α)",
+            "tan α tan 2α = 8/3",
+            "(tan α)(2 tan α/(1 − tan²α)) = 8/3",
+            "tan²α = 4/7",
+        ),
+    ),
+    "a complement of an angle afterwards, of a path at twice the angle": (
+        """
+wall W: along j
+sphere P: velocity u at 2theta to W
+P hits W: e = 1/2
+given deflection(P) = 90° + theta
+find theta
+""",
+        ("β = 90° + θ − 2θ = 90° − θ", "tan θ tan 2θ = 2", "tan²θ = ½"),
+    ),
     "a cosine of a deflection at a wall along an axis": (
         """
 wall W: along j

@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     walk,
 )
 from restitution.oracle import Oracle
@@ -66,12 +67,15 @@ def with_complements(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 def _of_the_angle(node: Expression) -> Expression | None:
     match node:
-        case Apply("sin", Binary("-", right_angle, Letter() as angle)):
-            own: Expression = Apply("cos", angle)
-        case Apply("cos", Binary("-", right_angle, Letter() as angle)):
-            own = Apply("sin", angle)
-        case Apply("tan", Binary("-", right_angle, Letter() as angle)):
-            own = Binary("/", ONE, Apply("tan", angle))
+        case Apply("sin" | "cos" | "tan" as ratio, Binary("-", right, angle)) if (
+            right == RIGHT_ANGLE
+        ):
+            pass
         case _:
             return None
-    return own if right_angle == RIGHT_ANGLE else None
+    match angle:
+        case Letter() | Binary("*", Number(), Letter()):
+            if ratio == "tan":
+                return Binary("/", ONE, Apply("tan", angle))
+            return Apply("cos" if ratio == "sin" else "sin", angle)
+    return None

@@ -9,8 +9,8 @@ import sympy as sp
 
 from restitution.exact import in_sines, tidy, tidy_angle
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation, equality
-from restitution.explaining.lines.trees import exchanged, rebuilt
+from restitution.explaining.lines.derivation import Link, Move, Relation, equality
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -24,7 +24,6 @@ from restitution.expression.tree import (
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as
 from restitution.planning.formulas.impacts import residual, scene_value
-from restitution.planning.formulas.named_angles import letters_taken
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import (
@@ -55,7 +54,7 @@ def inside_functions(x: sp.Expr) -> set[Any]:
     return {s for value in (*x.atoms(sp.Function), *roots) for s in value.free_symbols}
 
 
-def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> frozenset[sp.Expr] | None:
+def functions_of(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> frozenset[sp.Expr] | None:
     """The ratios of an unknown angle in an equation; None where it is no such equation."""
     role = scene.model.unknowns.roles.get(symbol.name)
     if role is None or role.kind != "angle":
@@ -88,7 +87,7 @@ def asked_ratio(scene: Scene, symbol: sp.Symbol) -> Any:
 def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """An angle that stands in one ratio, or in its sine and cosine of one degree."""
     own = residual(scene, line)
-    functions = _functions(scene, own, symbol)
+    functions = functions_of(scene, own, symbol)
     if functions is None or any(function.args != (symbol,) for function in functions):
         return None
     kinds = {type(function) for function in functions}
@@ -145,7 +144,7 @@ def _over_cosines(above: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 def by_its_half(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """``a sin θ = b (1 + cos θ)``: the tangent of half the angle."""
     own = residual(scene, line)
-    functions = _functions(scene, own, symbol)
+    functions = functions_of(scene, own, symbol)
     s, c = sp.sin(symbol), sp.cos(symbol)
     if functions is None or functions != {s, c}:
         return None
@@ -331,7 +330,7 @@ def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> 
     if between is not None:
         own = scene.judge.write((Move("rearrange"),), (between,), relation)
     if own is None:
-        own = _identity(scene, line, "pythagoras", relation)
+        own = write_identity(scene, line, "pythagoras", relation)
     if own is None:
         return None
     form = sum((k * s ** m[0] * c ** m[1] for m, k in terms.items()), sp.Integer(0))
@@ -355,7 +354,7 @@ def with_the_sum_of_squares(scene: Scene, line: int, symbol: sp.Symbol) -> int |
 def _of_one_angle(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr | None:
     """The residual of an equation of the ratios of one angle; None of another equation."""
     own = residual(scene, line)
-    functions = _functions(scene, own, symbol)
+    functions = functions_of(scene, own, symbol)
     if functions is None or any(function.args != (symbol,) for function in functions):
         return None
     return own
@@ -389,7 +388,7 @@ def _with_the_sum_of_squares(
         part = [(m, -sign * k if negative else sign * k)]
         sides[negative].append(_form(part, symbol))
     relation = equality(total(sides[0]), total(sides[1]))
-    return _identity(scene, line, "pythagoras", relation)
+    return write_identity(scene, line, "pythagoras", relation)
 
 
 def _form(terms: list[tuple[tuple[int, int], sp.Expr]], symbol: sp.Symbol) -> Expression:
@@ -432,7 +431,7 @@ def _in_one_square(
             product(tree_of(-k if negative else k), *factors, *_power(own, same))
         )
     relation = equality(total(sides[0]), total(sides[1]))
-    written = _identity(scene, line, "pythagoras", relation)
+    written = write_identity(scene, line, "pythagoras", relation)
     if written is None:
         return None
     return _by_one(scene, written, expanded(above), kind, symbol)
@@ -448,130 +447,13 @@ def _together(mixed: sp.Poly) -> Iterator[tuple[tuple[int, ...], sp.Expr]]:
     yield from ((m, k) for m, k in terms.items() if k != 0)
 
 
-def _identity(scene: Scene, line: int, record: str, relation: Relation, *others: int) -> int | None:
+def write_identity(
+    scene: Scene, line: int, record: str, relation: Relation, *others: int
+) -> int | None:
+    """Writes an equation by a named identity; None where it does not follow."""
     move = Move("identity", record)
     refs = scene.judge.enough(move, (line, *others), relation, _background(scene, line))
     return None if refs is None else scene.desk.write(move, refs, relation)
-
-
-# --- an angle and its half ----------------------------------------------------------------------
-
-
-def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
-    """The tangent of an angle by that of its double: an equation in the tangent of the smaller."""
-    own = _by_angles(scene, line, symbol)
-    functions = _functions(scene, own, symbol)
-    if functions is None:
-        return None
-    factors = {function.args[0] / symbol for function in functions}
-    if not all(factor.is_Rational for factor in factors) or len(factors) != 2:
-        return None
-    small, large = sorted(factors)
-    if large != 2 * small:
-        return None
-    link = scene.desk.last_link(line)
-    angle = link.left.argument if isinstance(link.left, Apply) else None
-    t = sp.Dummy("t", positive=True)
-    x, double = small * symbol, large * symbol
-    single = {sp.sin(x): t * sp.cos(x), sp.tan(x): t}
-    doubled = {sp.sin(double): sp.Symbol("T") * sp.cos(double), sp.tan(double): sp.Symbol("T")}
-    factor = cancelled(numerator(own.subs(single).subs(doubled)))
-    poly = sp.Poly(factor, t, sp.Symbol("T"))
-    if set(poly.monoms()) != {(1, 0), (0, 1)}:
-        return None
-    k = cancelled(-poly.coeff_monomial(sp.Symbol("T")) / poly.coeff_monomial(t))
-    if k.has(symbol):
-        return None
-    return _by_double(scene, line, symbol, small, tidy(k), angle)
-
-
-def _by_angles(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
-    """A line as an expression that is zero, in which the sine of 2θ is not that of θ."""
-    multiples: dict[sp.Symbol, sp.Expr] = {}
-    names: dict[str, sp.Symbol] = {}
-
-    def change(tree: Expression) -> Expression:
-        match tree:
-            case Apply("sin" | "cos" | "tan" as kind, argument) if not isinstance(argument, Letter):
-                angle = scene_value(scene, argument)
-                if angle.free_symbols == {symbol}:
-                    own = sp.Dummy(real=True)
-                    name = f"_{len(names)}"
-                    names[name] = own
-                    multiples[own] = getattr(sp, kind)(angle, evaluate=False)
-                    return Letter(name)
-        return tree
-
-    link = scene.desk.last_link(line)
-    left, right = (scene_value(scene, rebuilt(e, change), names) for e in (link.left, link.right))
-    return (left - right).xreplace(multiples)
-
-
-def _by_double(
-    scene: Scene, line: int, symbol: sp.Symbol, small: sp.Rational, k: sp.Expr, angle: Any
-) -> Source | None:
-    """From tan x = k tan 2x: the quadratic in tan x without the root 0."""
-    letter = Letter(symbol.name)
-    if small == 1:
-        subject: Expression = Apply("tan", letter)
-        record = "double-angle"
-        meaning: tuple[int, ...] = ()
-    else:
-        if angle is None:
-            return None
-        name = _free_letter(scene)
-        subject, record = Letter(name), "half-angle"
-        meaning = (scene.desk.write(Move("let"), (), Meaning(name, Apply("tan", angle))),)
-    # t = 2kt/(1 − t²), divided by t, which is not 0 for an acute angle: t² = 1 − 2k.
-    two = product(number(2), subject)
-    below = difference(ONE, square(subject))
-    right: Expression = Binary("/", product(tree_of(k), two), below)
-    if k.is_Rational and k.q != 1:
-        right = product(tree_of(k), Binary("/", two, below))
-    relation = chain(subject, (right, None))
-    if small == 1 and scene.desk.last_link(line).left != subject:
-        # The tangent of the double angle stays on the side where it stands.
-        relation = chain(Binary("/", two, below), (product(tree_of(1 / k), subject), None))
-    first = _identity(scene, line, record, relation, *meaning)
-    if first is None:
-        return None
-    cancelled = chain(below, (tree_of(2 * k), None))
-    known = range_of(scene, symbol.name)
-    second = scene.desk.write(Move("cancel"), (first, *meaning, known), cancelled)
-    value = tidy(sp.sqrt(1 - 2 * k))  # the tangent of an acute angle
-    others = [Link(subject, "=", tree_of(root)) for root in (value, -value)]
-    alternatives = Relation(tuple((other,) for other in others))
-    third = scene.desk.write(Move("roots"), (second,), alternatives)
-    only = Relation(((others[0],),))
-    last = scene.desk.write(Move("reject"), (third, *meaning, known), only)
-    if small == 1:
-        scene.desk.know(subject, value, (last,))
-        return inverse(scene, last, symbol)
-    _write_double(scene, line, last, meaning, Apply("tan", letter), tidy(value / k))
-    final = scene.final(symbol)
-    relation = chain(letter, (tree_of(final, angle=True, as_it_is=True), None))
-    written = scene.desk.write(Move("inverse"), (last, *meaning, known), relation)
-    return known_as(scene, symbol, final, written)
-
-
-def _write_double(
-    scene: Scene,
-    line: int,
-    last: int,
-    meaning: tuple[int, ...],
-    subject: Apply,
-    value: sp.Expr,
-) -> None:
-    """The tangent of the whole angle, by that of its half."""
-    relation = chain(subject, (tree_of(value), None))
-    number = scene.desk.write(Move("put"), (line, last, *meaning), relation)
-    scene.desk.know(subject, value, (number,))
-
-
-def _free_letter(scene: Scene) -> str:
-    """A letter that stands for nothing yet: t where it is free."""
-    taken = letters_taken(scene)
-    return next(letter for letter in ("t", "T", "k", "z") if letter not in taken)
 
 
 # --- sums of angles -----------------------------------------------------------------------------
@@ -614,12 +496,12 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     between = _expanded(scene, line, sums, symbol)
     if between is not None and between != relation:
         # How the terms are gathered is seen where their sine and cosine have come in.
-        between_line = _identity(scene, line, "sum-of-angles", between)
+        between_line = write_identity(scene, line, "sum-of-angles", between)
         if between_line is not None:
             gathered = _rearranged(scene, between_line, relation)
             if gathered is not None:
                 return gathered
-    return _identity(scene, line, "sum-of-angles", relation)
+    return write_identity(scene, line, "sum-of-angles", relation)
 
 
 def _rearranged(scene: Scene, line: int, relation: Relation) -> int | None:

@@ -37,6 +37,7 @@ from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.common_factors import sums_above, without_common_factor
 from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.crossing import multiplied_across
+from restitution.planning.closing.doubled_angles import divided_angle, product_of_tangents
 from restitution.planning.closing.exact_ratios import by_ratios_as_they_are
 from restitution.planning.closing.known_values import (
     is_angle,
@@ -48,7 +49,6 @@ from restitution.planning.closing.one_root import alone, in_squares
 from restitution.planning.closing.pure_powers import pure_power
 from restitution.planning.closing.ratios import (
     by_its_half,
-    divided_angle,
     even,
     inside_functions,
     ratio,
@@ -584,6 +584,7 @@ SHAPES: tuple[Shape, ...] = (
     by_its_half,
     even,
     divided_angle,
+    product_of_tangents,
     pure_power,
     _linear,
     _quadratic,
