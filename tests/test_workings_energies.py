@@ -117,3 +117,16 @@ def test_a_given_speed_is_compared_with_that_of_the_energy_that_is_given() -> No
     assert "4v sin θ = 2v" in first
     assert "Newton" not in first
     assert "e² = 7/27" in second
+
+
+def test_what_one_sphere_loses_at_a_wall_is_called_that() -> None:
+    text = printed(
+        "wall W: along i\nsphere S: mass 0.5, velocity 3i - 6j\nS hits W: e = 1/3\n"
+        "find energy_lost(S)"
+    )
+    assert "Kinetic energy lost, by the component that changes: kinetic energy lost by S =" in text
+    text = printed(
+        "wall W: along i\nwall V: along j\nsphere S: mass 2, velocity 3i - 6j\nS hits W: e = 1/3\n"
+        "S hits V: e = 1/3\nfind energy_lost(S)"
+    )
+    assert "kinetic energy lost by S = ½ × 2(3² − 1²) = 8 J" in text.partition("Second impact")[2]

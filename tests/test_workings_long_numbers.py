@@ -59,3 +59,12 @@ def test_the_direction_from_a_wall_at_an_angle_is_by_the_wall_for_a_path_along_a
     )
     assert "tan β = (1.95 sin 23°)/(6.5 cos 23°) = 0.3 tan 23° β ≈ 7.257°" in text
     assert "angle from 𝐢 to 𝐯_P ≈ 23° + 7.257°" in text
+
+
+def test_roots_stay_where_a_mass_alone_is_a_decimal() -> None:
+    text = printed(
+        "wall W: along i + 2j\nsphere S: mass 0.5, velocity 3i - 7j\nS hits W: e = 3/5\n"
+        "find velocity(S), energy_lost(S)"
+    )
+    assert "√5" in text
+    assert "≈ ½" not in text

@@ -206,6 +206,11 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "round", Binary("*"):
                 return None  # its lead names the angle
+            case (
+                "energy-change",
+                Binary("-", Quantity("energy", _, int(early)), Quantity("energy", _, int(late))),
+            ) if early < late:
+                return "loss-wall.title"
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
             case "speed", _ if self._by_a_multiple(line):

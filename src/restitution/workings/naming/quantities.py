@@ -139,13 +139,13 @@ class Naming(Moments):
         return None
 
     def _lost_by_one(self, tree: Expression) -> lay.Layout | None:
-        """What one body loses in an impact of two, in words: its energy before less that after."""
+        """What one body loses in an impact, in words: its energy before less that after."""
         match tree:
             case Binary(
                 "-",
                 Quantity("energy", (Name(body),), int(early)),
                 Quantity("energy", (Name(other),), int(late)),
-            ) if body == other and late in self.events and not self.events[late].wall:
+            ) if body == other and late in self.events:
                 words = say("derived.energy-lost-by", body=body)
                 last = max(
                     (
