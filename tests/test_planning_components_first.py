@@ -92,3 +92,94 @@ def test_squares_beside_angles_of_a_calculator_give_components_first(
     assert "not written out" not in text
     for words in says:
         assert words in text
+
+
+PARTED = """sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given velocity(A) perpendicular to velocity(B)
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "says"),
+    [
+        (
+            "show e = 1/k\nfind speed(B)\n",
+            ("v = 0 B1", "mu cos α = kmw", "(u cos α)/k = eu cos α M1 A1 1 = ek", "e = 1/k"),
+        ),
+        ("unknown e\nfind range of k\n", ("v = 0 B1", "(u cos α)/k = eu cos α", "k ≥ 1")),
+        (
+            "show e k = 1\nfind energy_lost\n",
+            ("(u cos α)/k = eu cos α M1 A1 (i) ek = 1 (as required)",),
+        ),
+        # The letters of the claim are those of the law of restitution.
+        (
+            "show speed(B) = e u cos(alpha)\n",
+            ("v = 0 B1 Newton's experimental law: w = eu cos α M1 A1", "speed of B = eu cos α (as"),
+        ),
+        (
+            "show energy_lost = 1/2 m u^2 (1 - e) cos^2(alpha)\n",
+            ("k = 1/e", "Substituting for k: kinetic energy lost = ½mu²(1 − e) cos²α (as"),
+        ),
+    ],
+)
+def test_a_component_of_zero_comes_before_the_laws(asked: str, says: tuple[str, ...]) -> None:
+    text = working(PARTED + asked)
+    assert "not written out" not in text
+    assert "(1 − ek)" not in text
+    for words in says:
+        assert words in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "says"),
+    [
+        (
+            # v = ±5/(2 tan 70°) = ±0.90993; 10 cos 30° = 2v + 3w.
+            (
+                "sphere A: mass 2, velocity 5 at 30°\nsphere B: mass 3, at rest\n"
+                "A hits B: along i\ngiven angle(velocity(A), line_of_centres) = 70°\nfind e\n"
+            ),
+            (
+                "tan² 70° = (5/2)²/v² M1",
+                "as v ≈ −0.9099 would give w ≈ 3.493 and e ≈ 1.017 by (2) and (3), but e ≤ 1",
+                "2 × 5 cos 30° ≈ 2 × 0.9099 + 3w",
+                "1.370 ≈ 4.330e e ≈ 0.316",
+            ),
+        ),
+        (
+            # Both senses are possible: e = 0 for v = √3 u/6, and e = 1 for v = −√3 u/6.
+            (
+                "sphere A: mass m, velocity u at 30°\nsphere B: mass 2m, at rest\n"
+                "A hits B: along i\ngiven angle(velocity(A), line_of_centres) = 60°\nfind e\n"
+            ),
+            ("tan² 60° = (u/2)²/v²", "v = ±√3 u/6 If v = √3 u/6: Conservation", "e = 0", "e = 1"),
+        ),
+        (
+            (
+                "sphere A: mass m, velocity u at 30°\nsphere B: mass 2m, at rest\n"
+                "A hits B: along i\ngiven tan(angle(velocity(A), line_of_centres)) = 4\nfind e\n"
+            ),
+            ("4² = (u/2)²/v²", "v = ±u/8", "e = (4 + √3)/8 ≈ 0.717", "e = (4 − √3)/8 ≈ 0.283"),
+        ),
+        (
+            (
+                "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\n"
+                "A hits B: along i\ngiven angle(velocity(A), line_of_centres) = beta\nfind e\n"
+            ),
+            (
+                "v = ±(u sin α)/tan β If v = −(u sin α)/tan β:",
+                "e = ((1 + k) tan α + tan β)/(k tan β)",
+                "e = (tan β − (1 + k) tan α)/(k tan β)",
+            ),
+        ),
+    ],
+)
+def test_an_angle_with_the_line_of_centres_gives_a_component_first(
+    statement: str, says: tuple[str, ...]
+) -> None:
+    text = working(statement)
+    assert "not written out" not in text
+    for words in says:
+        assert words in text

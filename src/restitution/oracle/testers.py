@@ -103,8 +103,8 @@ def _vanishes_at(x: sp.Expr, point: Point) -> bool:
             return False
         world = Polynomials([there], {})
         return world.vanishes(world.quotient(there)[0])
-    except (TooLargeError, BeyondError, ZeroDivisionError):
-        return False
+    except (TooLargeError, BeyondError, ZeroDivisionError, ValueError):
+        return False  # of what has no value there SymPy finds no least one
 
 
 def holds_with(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None:

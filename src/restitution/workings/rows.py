@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
+from restitution.planning.writing.forms import tree_of
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
@@ -282,6 +283,10 @@ class Rows(Chains):
         root = None if asked else root_but_for_sign(options)
         if root is not None:
             own = self.in_figures(root)
+            if own != root:
+                # In the lines below it may have a tangent for the quotient of sine and cosine.
+                for form in (root.right, tree_of(worth(root.right))):
+                    self._figures.stands_for(form, own.right)
             subject, size = self._naming.layout(own.left), self._naming.layout(own.right)
             either = lay.Brackets(size) if isinstance(size, lay.Sum) else size
             return Row((subject, lay.Phrase((lay.Words("±"), either), "")), (own.sign,))

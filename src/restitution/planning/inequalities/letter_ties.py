@@ -147,6 +147,11 @@ class Ties:
             return written if shown is None else self._without_roots(self._neat(shown))
         if equation.fact.id in self.solver.equations.used:
             return self._of_fact(equation.fact.id)
+        law = None if shown else self.solver.tie_by_zero(equation)
+        if law is not None:
+            line = self._without_roots(self._neat(law))
+            scene.ties[equation.fact.id] = scene.desk.relation(line)
+            return line
         self.solver.equations.used.add(equation.fact.id)
         self.solver.determine(sorted(inside & components, key=str))
         self.solver.equations.used.discard(equation.fact.id)

@@ -314,9 +314,13 @@ class ByFacts(Course):
         signs = {model.sign(model.in_data(symbol)) for model in self.scene.others}
         unknowns = {x for candidate in left for x in self._open(candidate)} - self._letters.keys()
         parted = signs >= {-1, 1} and len(unknowns) > 1
-        roots = [_root_of_square(value, symbol) for value in squared]
+        by_angle = "angle" in kinds and not kinds & {"speed", "energy"}
+        root_of = _size_by_an_angle if by_angle else _root_of_square
+        roots = [root_of(value, symbol) for value in squared]
         if all(root is not None and _needs_a_calculator(root) for root in roots):
             return False  # with its figures the laws are short, in each of several solutions
+        if by_angle and all(root is not None and _is_product(root) for root in roots):
+            return False  # the component of each sense is read off
         plain = all(root is not None and _is_plain(root) for root in roots)
         return not plain or (bool(signs) and not parted)
 
@@ -466,6 +470,15 @@ def _root_of_square(equation: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
     return tidy(sp.sqrt(factored(-rest / slope)))
 
 
+def _size_by_an_angle(equation: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
+    """The size of a component that an angle to a line gives; None where it gives none."""
+    size = sp.Abs(symbol)
+    equation = sp.fraction(sp.together(equation))[0].expand()
+    part = equation.coeff(size)
+    other = (equation - part * size).expand()
+    return None if part == 0 or other.has(symbol) else tidy(factored(-other / part))
+
+
 def _needs_a_calculator(root: sp.Expr) -> bool:
     """Whether a root is that of a number with sines such as that of 35°, times plain letters."""
     number, letters = root.as_independent(*root.free_symbols, as_Add=False)
@@ -476,7 +489,12 @@ def _needs_a_calculator(root: sp.Expr) -> bool:
 
 def _is_plain(root: sp.Expr) -> bool:
     """Whether a root is a number or a product, and no root of letters."""
-    return not root.has(sp.Add, sp.sin, sp.cos) and not _has_root_of_letters(root)
+    return not root.has(sp.sin, sp.cos) and _is_product(root)
+
+
+def _is_product(root: sp.Expr) -> bool:
+    """Whether a value has no sums, and no root of letters."""
+    return not root.has(sp.Add) and not _has_root_of_letters(root)
 
 
 def _has_root_of_letters(root: sp.Expr) -> bool:

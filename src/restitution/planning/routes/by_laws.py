@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter
 from restitution.planning.closing.excluded_roots import written_law
@@ -17,12 +19,16 @@ from restitution.planning.formulas.impacts import after, rebound, residual
 from restitution.planning.routes.by_facts import ByFacts, _solved
 from restitution.planning.routes.course import LAWS
 from restitution.planning.routes.equations import Law
+from restitution.planning.routes.givens import candidate_of, write_given
 from restitution.planning.routes.laws_solved import tidied_law
 from restitution.planning.writing.candidates import Candidate
-from restitution.planning.writing.desk import chain
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.desk import NotPlannedError, chain
+from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.scene import GivenEquation
 
 _PAIR = 2
+# The signs of facts that may say that a component is zero.
+_TIES = frozenset({"=", "perpendicular to", "parallel to"})
 
 
 class ByLaws(ByFacts):
@@ -166,6 +172,80 @@ class ByLaws(ByFacts):
             self.scene.desk.know(Letter(symbol.name), value, (line,))
             return (own,)
         return None
+
+    def tie_by_zero(self, given: GivenEquation) -> int | None:
+        """The law that ties letters, once a fact has made a component zero and the other is used.
+
+        What both laws make of that component in these letters is not worked out. None where the
+        fact says of no component alone that it is zero, and where one of the laws stands.
+        """
+        standing = self.mark()
+        with suppress(NotPlannedError):
+            laws = self._laws_with_zero(given)
+            if laws and self.scene.coefficient(laws[0].number).value.is_number:
+                laws.reverse()
+            line = self._second_law(laws) if laws else None
+            if line is not None:
+                return line
+        self.back(standing)
+        return None
+
+    def express_by_zero(self, given: GivenEquation, names: frozenset[str]) -> bool:
+        """Expresses a component by the one law in these letters, as a fact makes the other zero.
+
+        False where the fact says no such thing, and where none or both of the laws are such.
+        """
+        standing = self.mark()
+        with suppress(NotPlannedError):
+            laws = [e for e in self._laws_with_zero(given) if self._is_in_letters(e, names)]
+            if len(laws) == 1 and self._single([laws[0].candidate]) is not None:
+                return True
+        self.back(standing)
+        return False
+
+    def _laws_with_zero(self, given: GivenEquation) -> list[Law]:
+        """The two laws of an impact after which a fact makes a component zero, as a line says now.
+
+        None where it does not, and where one of the laws stands.
+        """
+        own, desk = candidate_of(given), self.scene.desk
+        open_ = self._open(own) & self._letters.keys()
+        if given.link.sign not in _TIES or len(own.residuals) != 1:
+            return []
+        zeros = self._vanishing(open_, own) if len(open_) > 1 else open_
+        if len(zeros) != 1:
+            return []
+        (symbol,) = zeros
+        number, _ = self._letters[symbol]
+        laws = [law for law in self.equations.laws if law.number == number and law.kind in LAWS]
+        if len(laws) != len(LAWS) or any(map(self._earlier, laws)):
+            return []
+        if any(written_law(self.scene, law.kind, number) for law in laws):
+            return []
+        zero = write_given(self.scene, given)
+        link = desk.last_link(zero)
+        if (link.left, link.right) != (Letter(symbol.name), ZERO):
+            return []
+        desk.know(link.left, sp.Integer(0), (zero,))
+        return laws
+
+    def _second_law(self, laws: Sequence[Law]) -> int | None:
+        """The second of two laws with the component put in that the first one gives."""
+        first, second = laws
+        if self._single([first.candidate]) is None:
+            return None
+        line = self._law_line(second)
+        if self.scene.unknown(residual(self.scene, line)) & self._letters.keys():
+            return None
+        self.equations.used |= {law.candidate.id for law in laws}
+        return line
+
+    def _is_in_letters(self, law: Law, names: frozenset[str]) -> bool:
+        """Whether a law has no other letters than these, but for a component and common factors."""
+        (value,) = (self.scene.with_values(x)[0] for x in law.candidate.residuals)
+        factors = sp.Mul.make_args(sp.factor(value))
+        inside = {s for x in factors for s in x.free_symbols if x.has(*self._letters)}
+        return symbol_names(*(inside - self._letters.keys())) <= names
 
     def _shorter_law(self, law: Law, symbol: sp.Symbol) -> int | None:
         """The law of restitution with what is known, where both laws stand and it is enough."""

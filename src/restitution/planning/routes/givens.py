@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -19,9 +18,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Quantity,
-    Unit,
     has_quantity,
     is_function,
     is_quantity,
@@ -60,6 +57,7 @@ from restitution.planning.journeys import journeys
 from restitution.planning.journeys.given_places import write_given_place
 from restitution.planning.routes.given_energies import write_share_of_energy
 from restitution.planning.routes.given_times import write_time_since
+from restitution.planning.routes.open_tangents import is_of_open_sense, write_squared_tangent
 from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as, quoted_ratio
 from restitution.planning.routes.sizes_resolved import write_resolved_speed
 from restitution.planning.routes.standing_components import write_component_given
@@ -84,7 +82,6 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.polynomials import is_factored_quadratic
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
@@ -222,7 +219,11 @@ def _of_an_angle(scene: Scene, given: GivenEquation) -> int | None:
                 return line
             if angle.kind == "deflection":
                 _decided(scene, angle)
-            return _tangent(scene, given, formula(scene, angle))
+            formula_ = formula(scene, angle)
+            if formula_.move.record == "tan" and is_of_open_sense(scene, formula_):
+                value, refs = scene.put(scene.scalar(own.right))
+                return write_squared_tangent(scene, given, formula_, tree_of(value), refs)
+            return _tangent(scene, given, formula_)
         case Apply("sin" | "cos", Quantity("angle")) if not has_quantity(own.right):
             return write_by_tangent(scene, given, own.left)
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
@@ -360,8 +361,11 @@ def _closed(scene: Scene, equation: GivenEquation, own: Formula) -> int:
     left = equation.link.right if not refs else tree_of(value, angle=angle)
     if own.move.record == "tan" and value == sp.pi / 2:
         return _right_angle(scene, equation, own)
-    if own.move.record == "tan" and _of_open_sense(scene, own):
-        return _squared_tangent(scene, equation, own, value, refs)
+    if own.move.record == "tan" and is_of_open_sense(scene, own):
+        between = is_quantity(own.quantity, "angle") and is_moving(own.quantity.arguments[1])
+        as_it_is = isinstance(left, Degrees) or between
+        tangent = own.of(left) if as_it_is else tree_of(tidy(sp.tan(value)))
+        return write_squared_tangent(scene, equation, own, tangent, refs)
     plain = is_function(left, "arctan")
     if plain and own.move.record == "tan-direction":
         relation = chain(left.argument, (swept(own.right), None))  # type: ignore[union-attr]
@@ -491,56 +495,6 @@ def _right_angle(scene: Scene, equation: GivenEquation, own: Formula) -> int:
     if refs is None:
         raise NotPlannedError("a right angle")
     return scene.desk.write(move, refs, relation)
-
-
-def _of_open_sense(scene: Scene, own: Formula) -> bool:
-    """Whether the sense of a component in a tangent is not certain."""
-    open_ = scene.unknown(own.value)
-    components = {component.symbol for component in scene.model.components.values()}
-    match own.quantity:
-        case Quantity("angle", (_, Unit() | Negate(Unit()))):
-            # Up to 180° the tangent has the sign of what stands below.
-            above, _ = _sides(own.right)
-            if scene.unknown(scene_value(scene, above)) & components:
-                raise NotPlannedError("to which side of a direction an angle lies is open")
-            return False
-    if open_ & components:
-        return True
-    match own.quantity:
-        case Quantity("angle", (_, Name())):
-            return False  # a wall: who hits it goes away from it
-    if not open_:
-        return False
-    known = Oracle({**roles(scene.problem), **scene.model.unknowns.roles})
-    value = sp.sympify(own.value, strict=True)
-    return not any(known.proves(compared(value, sign, sp.Integer(0))) for sign in (">=", "<="))
-
-
-def _squared_tangent(
-    scene: Scene, equation: GivenEquation, own: Formula, angle: Any, refs: tuple[Ref, ...]
-) -> int:
-    """The square of a tangent: on which side the angle lies is open."""
-    match own.quantity:
-        case Quantity("angle", (_, Quantity("velocity"))):
-            # Up to 180° the tangent has the sign of the component along the line of centres.
-            premises = together(equation.refs, refs, own.refs)
-            left = own.of(equation.link.right if not refs else tree_of(angle, angle=True))
-            relation = chain(left, (swept(own.right), None))
-            if scene.judge.follows(own.move, premises, relation):
-                return scene.desk.write(own.move, premises, relation)
-            raise NotPlannedError("an angle between velocities that are both open")
-    assert isinstance(own.right, Binary)
-    squares = [square(part) for part in (own.right.left, own.right.right)]
-    last = tree_of(neat(own.value**2))
-    return scene.desk.write(
-        replace(own.move, record="tan-squared"),
-        together(equation.refs, refs, own.refs),
-        chain(
-            square(tree_of(tidy(sp.tan(angle)))),
-            (swept(Binary("/", *squares)), None),
-            (last, "rearrange"),
-        ),
-    )
 
 
 def _component(scene: Scene, equation: GivenEquation) -> int:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import sympy as sp
 
 from restitution.exact.symbols import symbol_names
@@ -127,6 +129,9 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
     then all that facts tie; and then those alone that it names, the others being put in.
     """
     standing = solver.mark()
+    by_zero = _by_a_zero(scene, solver, item, now)
+    if by_zero is not None:
+        return by_zero
     printed = _printed_letters(scene, item, now)
     refusal: NotPlannedError | None = None
     for attempt in ("printed", "tied", "named") if printed else ("tied", "named"):
@@ -157,20 +162,44 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
     return by_shown
 
 
-def _by_what_was_shown(
-    scene: Scene, solver: Solver, item: Show, now: int
-) -> tuple[int, Relation] | None:
-    """A quantity worked out without a letter that is tied, which an equation shown puts in last."""
+def _by_a_zero(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
+    """A quantity by the one law that is in the letters of the claim, as a component is zero."""
     match item.relation:
         case Compare(operators=("=",), figures=None):
             (link,) = links_of(scene.problem, item.relation, now)
         case _:
             return None
-    shown = [number for number in scene.desk.shown if scene.desk.holds(number)]
-    if not shown or has_quantity(link.right) or not has_quantity(link.left):
+    if has_quantity(link.right) or not has_quantity(link.left):
         return None
+    standing = solver.mark()
+    with Claims(scene, solver) as claims:
+        if any(solver.express_by_zero(given, _names(item)) for given in scene.given):
+            with suppress(NotPlannedError):
+                return _line(claims, item, now)
+    solver.back(standing)
+    return None
+
+
+def _by_what_was_shown(
+    scene: Scene, solver: Solver, item: Show, now: int
+) -> tuple[int, Relation] | None:
+    """A quantity worked out without a letter that is tied, which an equation puts in last.
+
+    That was to be shown, or is what the facts say of these letters.
+    """
+    match item.relation:
+        case Compare(operators=("=",), figures=None):
+            (link,) = links_of(scene.problem, item.relation, now)
+        case _:
+            return None
+    if has_quantity(link.right) or not has_quantity(link.left):
+        return None
+    shown = [number for number in scene.desk.shown if scene.desk.holds(number)]
     relation = Relation(((link,),))
     with Claims(scene, solver) as claims:
+        shown = shown or claims.ties.lines()
+        if not shown:
+            return None
         scene.free.clear()
         try:
             worth = claims.worths.worth(claims.worths.opened(link.left))

@@ -62,6 +62,7 @@ from restitution.planning.shows.shown_speeds import (
 from restitution.planning.shows.straight import (
     is_turned,
     shown_by_a_multiple,
+    turned_round,
     without_a_detour,
 )
 from restitution.planning.shows.sums_expanded import with_sums_expanded
@@ -282,7 +283,8 @@ class ShownEquation(ShownAngles):
         above = len(self.scene.desk.lines)
         lines = self.claims.ties.lines()
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
-        standing = self._standing() or self._on_the_way(above)
+        standing = self._standing() or turned_round(self.scene, self.link, above)
+        standing = standing or self._on_the_way(above)
         if standing is None:
             written = [number for number in self._equations() if number > above]
             standing = in_one_ratio(self.scene, written, self.link)

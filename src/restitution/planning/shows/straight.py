@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Link, Move, Relation, numbers_in
@@ -18,10 +20,32 @@ from restitution.planning.writing.forms import alike
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 
+_WORKED = frozenset({"rearrange", "cancel", "put", "identity"})
+
 
 def is_turned(own: Link, shown: Link) -> bool:
     """Whether a link says what is to be shown from the other side."""
     return alike(own.left, shown.right) and alike(own.right, shown.left)
+
+
+def turned_round(scene: Scene, shown: Link, above: int) -> int | None:
+    """What is to be shown, in place of a line below another one that says it from the other side.
+
+    None where there is no such line, or where it is a law.
+    """
+    desk = scene.desk
+    for line in desk.lines[above:]:
+        if line.move.id not in _WORKED or not isinstance(line.relation, Relation):
+            continue
+        if len(line.relation.options) > 1 or len(line.relation.only) > 1:
+            continue
+        if line.relation.only[0].sign == "=" and is_turned(line.relation.only[0], shown):
+            relation = Relation(((shown,),))
+            if not scene.judge.follows(line.move, line.premises, relation):
+                continue
+            desk.lines[line.number - 1] = replace(line, relation=relation)
+            return line.number
+    return None
 
 
 def shown_by_a_multiple(scene: Scene, shown: Link, number: int) -> int | None:
