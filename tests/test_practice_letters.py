@@ -714,3 +714,17 @@ def test_who_adds_two_squares_takes_no_whole_speed() -> None:
     (line,) = r.mark(solved(statement)[1], "v = √(12 + 4) = 4").json()["lines"]
     assert line["verdict"] == "false"
     assert line["mistake"]["id"] in (None, "arithmetic")
+
+
+def test_no_letter_is_of_an_event_behind_the_question() -> None:
+    """*Parallel* in part (a) is not perpendicular to the wall of part (b), whatever its value."""
+    statement = (
+        "wall AB: along i\nwall BC: along j\nsphere P: velocity u at alpha to AB\n"
+        "P hits AB: e = e\npart a\nfind speed(P)\nP hits BC: e = e\npart b\nfind speed(P)"
+    )
+    solution = solved(statement)[1]
+    first, *_ = r.mark(solution, "parallel: e u cos α", part="a").json()["lines"]
+    assert first["verdict"] == "false"
+    assert first["mistake"]["id"] == "restitution-parallel"
+    first, *_ = r.mark(solution, "v = e u cos α", part="b").json()["lines"]
+    assert first["verdict"] == "true"

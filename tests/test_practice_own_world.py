@@ -218,3 +218,31 @@ def test_sine_and_cosine_exchanged_are_so_across_the_line_too() -> None:
     speed = "speed of A = √(2.60² + 5²) = 5.64"
     assert verdicts(statement, *working, speed)[2:] == ["follows", "follows"]
     assert verdicts(statement, *working, "speed of A = √(2.60² + 6²) = 6.54")[3] == "false"
+
+
+def test_no_figure_of_a_fraction_that_is_given_is_his_own() -> None:
+    """The 4 of ¾ is not the wrong 4 above, and so −1 = 1 follows from nothing."""
+    statement = (
+        "wall X: along i\nwall Y: along i\nsphere P: mass 1, velocity 3i - 2j\n"
+        "P hits X: e = 3/4\nP hits Y: e = 2/3\nfind velocity(P)"
+    )
+    letters = {
+        "T": "along(velocity(P, 1), i)",
+        "H": "along(velocity(P, 1), j)",
+        "q": "along(velocity(P, 2), j)",
+    }
+    lines = ["T = 4", "H = 3/4*2 = 3/2", "q = -2/3 (3/2) = 1"]
+    marking = restitution.mark(restitution.parse(statement), lines, letters=letters).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["false", "true", "false"]
+
+
+def test_nothing_follows_where_a_letter_would_have_to_be_zero() -> None:
+    """Lines that hold together for u = 0 alone say nothing of a line that they would make true."""
+    statement = (
+        "sphere A: mass m, velocity 2u i\nsphere B: mass 3m, at rest\nA hits B: along i, e = 1/2\n"
+        "find speed(A), speed(B)"
+    )
+    letters = {"d": "along(velocity(A), i)", "z": "along(velocity(B), i)"}
+    lines = ["3u/4 - d = 1/2 (5u)", "d = -u/4", "z = 3u/5"]
+    marking = restitution.mark(restitution.parse(statement), lines, letters=letters).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["false", "true", "false"]

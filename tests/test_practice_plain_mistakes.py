@@ -465,7 +465,7 @@ find speed(A), speed(B)
         (CORNER, "loss = ½×3×(10 - 3)² = 73.5", None),
         (TURNED, "fraction lost = 1 - e² = 65/81", "energy-fraction-of-line"),
         (TURNED, "tan β = tan α/e", "restitution-inverted"),
-        (HALVED, "speed A = u/8", "across-changed"),
+        (HALVED, "speed A = u/8", None),  # the component across is lost, or that along taken for it
     ],
 )
 def test_lines_of_the_nineteenth_scripts_have_their_names(
@@ -604,3 +604,87 @@ def test_of_two_walls_a_law_is_altered_at_one() -> None:
     _, line = restitution.mark(restitution.parse(statement), lines).json()["lines"]
     assert line["mistake"]["id"] == "across-changed"
     assert line["mistake"]["leads_to"] == {"velocity(P)": "−6𝐢 + (3/2)𝐣"}
+
+
+AGAINST = """
+sphere A: mass 2m, velocity 2u i + u j
+sphere B: mass m, velocity -u i
+A hits B: along i, e = 1/3
+find velocity(A), velocity(B), energy_lost/energy(0) as a percentage
+"""
+AGAINST_THREE = AGAINST.replace("velocity 2u", "velocity 5u").replace("mass m,", "mass 3m,")
+RAIL = """
+wall W: along 4i + 3j
+sphere P: mass 1, velocity 10i
+P hits W: e = 1/3
+find velocity(P)
+"""
+SQUARE = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given deflection(P) = 90°, tan(alpha) = 2
+find e
+"""
+STILL = """
+sphere A: mass 2, velocity 4i + 5j
+sphere B: mass 3, at rest
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B), speed(A)
+"""
+GONE = """
+wall W: along i
+sphere P: mass 0.2, velocity 20 at 30° to W
+P hits W: e = 3/5
+find energy_lost, impulse
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines", "names"),
+    [
+        # B moves along the line of centres: its speed is its component, with another sign.
+        (
+            AGAINST,
+            "4mu + mu = 2mv + mw\nw - v = 1/3(2u - u)",
+            ["momentum-sign"],  # with B as it is taken there, the law below is right
+        ),
+        # 13u is 3(5u) - 2u as well, in which no mass is seen.
+        (AGAINST_THREE, "13u = 2v + 3w", ["momentum-sign"]),
+        # What follows has the component along the wall as it was.
+        (
+            RAIL,
+            "perp before = 6\nperp after = 6\nv = 8(4i + 3j)/5 + 6(-3i + 4j)/5",
+            ["restitution-omitted"],
+        ),
+        # Both lines above are true, and decide e: 1 is the e of no law.
+        (SQUARE, "tan β = e tan α = 2e\nα + β = 90 so tan β = 1/2\ne = 1", [None]),
+        # B has what A has lost; of a speed nobody knows.
+        (STILL, "velocity of A = 0.4i\nvelocity of B = 2.4i + 5j", ["across-exchanged"]),
+        (STILL, "velocity of A = 0.4i\nvelocity of B = 2.4i", ["across-changed"]),
+        (STILL, "speed of A = 0.4", [None]),
+        (AGAINST, "percentage = (8/3)/(4 + 1/2) × 100 = 59.3%", ["energy-fraction-of-line"]),
+        (GONE, "I = 0.2 × 1.6 × 20 cos 30 = 5.54", ["sine-cosine"]),
+        (GONE, "energy lost = 1/2 × 0.2(400 - 36) = 36.4", ["energy-component-missing"]),
+    ],
+)
+def test_of_several_names_the_lines_decide(
+    statement: str, lines: str, names: list[str | None]
+) -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    letters = letters if "sphere A" in statement else {}
+    marking = restitution.mark(restitution.parse(statement), lines, letters=letters).json()
+    false = [line for line in marking["lines"] if line["verdict"] == "false"]
+    assert [line["mistake"]["id"] for line in false] == names
+
+
+def test_a_time_that_goes_on_from_an_earlier_part_has_no_name() -> None:
+    """Who has the velocity of part (a) wrong had it wrong there."""
+    statement = (
+        "wall V: along j, through (0, 0)\nwall W: along j, through (5, 0)\n"
+        "sphere P: mass 2, at (2, 0), velocity -4i + 3j\nP hits V: e = 1/2\n"
+        "part a\nfind time(1), velocity(P)\nP hits W: e = 1/4\npart b\nfind time(2)"
+    )
+    (line,) = restitution.mark(restitution.parse(statement), "time = 5/4", part="b").json()["lines"]
+    assert line["verdict"] == "false"
+    assert line["mistake"]["id"] is None

@@ -477,3 +477,46 @@ def test_a_vector_behind_a_body_is_where_it_has_come_to() -> None:
     right = "A: 3(1.5i + 3j) = (4.5, 9)\nA: (4.5, 9) B: (12, 6)\nA moves 4.5i + 9j\nB: 12i + 6j"
     assert set(verdicts(statement, *right.splitlines())) == {"true"}
     assert verdicts(statement, "A: (4.5, 8)") == ["false"]
+
+
+RELATIVE = """sphere A: mass 2, velocity 6i + j
+sphere B: mass 3, velocity 2i - 2j
+A hits B: along i, e = 1/4
+find velocity(A), velocity(B)"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *("A relative to centre of mass 2.4", "relative to centre of mass A: 2.4, B: -1.6"),
+        *("A relative to mass centre after = -0.6", "v_A relative to centre of mass = 2.4"),
+        *("after: A -0.6, B 0.4 relative to it", "in the centre of mass frame: A 2.4, B -1.6"),
+        *("centre of mass 3.6", "CM moves with 3.6", "relative to CoM: A 2.4 B -1.6"),
+    ],
+)
+def test_the_mass_centre_needs_no_noun(line: str) -> None:
+    assert verdicts(RELATIVE, line) == ["true"]
+    assert verdicts(RELATIVE, re.sub(r"\d(?=\D*$)", "9", line)) == ["false"]
+
+
+AT_A_WALL = "wall W: along i\nsphere P: mass 2, velocity 8i - 6j\nP hits W: e = 1/3\nfind {}"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *("components x: 8, y: 2", "components x 8 y 2", "components after: x 8, y 2"),
+        *("before/after: perp 6/2", "perp before/after: 6, 2", "perp before 6 after 2"),
+        *("perp to wall: before 6, after 2", "x before 8 after 8", "par 8 before, 8 after"),
+        *("before and after: perp 6 and 2", "components of P after: x 8 and y 2"),
+    ],
+)
+def test_pairs_of_values_are_read_whole(line: str) -> None:
+    statement = AT_A_WALL.format("velocity(P), speed(P)")
+    assert verdicts(statement, line) == ["true"]
+    assert verdicts(statement, re.sub(r"\d(?=\D*$)", "7", line)) == ["false"]
+
+
+def test_a_slash_behind_an_equals_sign_may_be_of_a_ratio() -> None:
+    statement = AT_A_WALL.format("energy_lost")
+    assert verdicts(statement, "KE before/after = 25/17") != ["false"]

@@ -243,7 +243,12 @@ MISCONCEPTIONS: Mapping[str, Misconception] = {
             "Sine stands for cosine, or the component across for the one along.",
             "The wrong component is the one that the impact changes.",
             "v sin β = eu cos α",
-            (("momentum", "M1 A0"), ("restitution", "M1 A0"), ("unchanged", "B0")),
+            (
+                ("momentum", "M1 A0"),
+                ("restitution", "M1 A0"),
+                ("unchanged", "B0"),
+                ("impulse", "M1 A0"),
+            ),
             "In Newton's law M1 only if momentum has the same exchange; at a wall only if the "
             "parallel component has it too.",
         ),

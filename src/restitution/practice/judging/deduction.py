@@ -202,6 +202,7 @@ class _Plane:
         rng = np.random.default_rng(11)
         self.columns: dict[Expression, tuple[int, ...]] = {}
         self.fixed: dict[Expression, Any] = {}
+        self.positive: list[int] = []  # the places of letters of the statement, which are not zero
         starts: list[Array] = []
         for symbol in symbols:
             value = _value(symbol, entries, world)
@@ -218,6 +219,8 @@ class _Plane:
                 self.fixed[symbol] = scattered[0]
                 continue
             self.columns[symbol] = tuple(range(len(starts), len(starts) + len(parts)))
+            if isinstance(symbol, Letter) and symbol.name in world.letters:
+                self.positive += self.columns[symbol]
             starts += scattered
         self.x = np.stack(starts) if starts else np.zeros((0, _POINTS), dtype=complex)
 
@@ -234,8 +237,8 @@ class _Plane:
         return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= close))
 
     def _met(self, earlier: Sequence[Entry], x: Array) -> Array:
-        """At which points some claims hold."""
-        there = np.ones(_POINTS, dtype=bool)
+        """At which points some claims hold, and no letter of the statement is zero."""
+        there = np.all(np.abs(x[self.positive]) > _CLOSE, axis=0)
         for entry in earlier:
             apart, size = self.sides(entry, x)
             there &= np.all(np.abs(apart) <= 1e-10 * (size + 1e-3), axis=0)

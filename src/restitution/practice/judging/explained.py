@@ -11,6 +11,7 @@ from restitution.explaining.mistakes.misconceptions import (
 )
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.judged_link import Question
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 from restitution.records import dataclass
@@ -25,7 +26,9 @@ class Explained:
     ``at`` is the text that would have to be another, where no other would do, ``near`` the laws
     of the claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a
     misconception in a line that states no law. ``direct`` tells that nothing moves across the lines
-    of centres, ``of_impulse`` that the claim gives an impulse.
+    of centres, ``of_impulse`` that the claim gives an impulse, ``along`` that it gives a speed or a
+    distance by components along the line alone, ``over`` that what it goes on from is asked for in
+    an earlier part, ``shadowed`` the altered laws that others are plainer than.
     """
 
     variants: tuple[VariantAt, ...] = ()
@@ -36,6 +39,9 @@ class Explained:
     plain: str | None = None
     direct: bool = False
     of_impulse: bool = False
+    along: bool = False
+    over: bool = False
+    shadowed: frozenset[str] = frozenset()
 
     def shared_with(self, other: Explained) -> Explained:
         """What explains this claim and another of its line, if anything explains both."""
@@ -48,6 +54,8 @@ class JudgedSoFar(Protocol):
     """What is known of a script by the lines that are judged."""
 
     entries: list[Entry]
+
+    question: Question
 
     @property
     def base(self) -> World:

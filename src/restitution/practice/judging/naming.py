@@ -13,13 +13,9 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import permutations
 
-import numpy as np
-
-from restitution.errors import RestitutionError
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.mistakes.misconceptions import (
     MISCONCEPTIONS,
-    ResultAt,
     VariantAt,
     variants_at,
 )
@@ -33,9 +29,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_binary,
-    is_component,
     is_function,
-    is_quantity,
     letters,
     unsigned,
     walk,
@@ -46,6 +40,7 @@ from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
+from restitution.practice.judging.named_results import is_impulse, is_result
 from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_deflections import (
     is_deflection_as_angle,
@@ -69,9 +64,14 @@ from restitution.practice.judging.plain_mistakes import (
     plainly,
     sign_of_a_component,
 )
-from restitution.practice.judging.signs import OF_SIGNS, is_slip_of_sign
+from restitution.practice.judging.signs import (
+    OF_SIGNS,
+    is_slip_of_sign,
+    plainer_signs,
+)
 from restitution.practice.judging.sizes import numbers_in, varying_size
 from restitution.practice.judging.slips import Correction, in_datum
+from restitution.practice.judging.solved_values import is_along_alone, is_decided, is_over
 from restitution.practice.judging.squares import is_worth
 from restitution.practice.judging.typed_energies import are_energies, is_halved
 from restitution.practice.letters.candidates import Candidate, candidates
@@ -93,6 +93,8 @@ _PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "rest
 _OF_ANGLES = frozenset({"sine-cosine", "angle-from-normal"})
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
+_OF_A_KEPT_SIZE = frozenset({"restitution-omitted", "restitution-parallel"})
+_OF_ACROSS = frozenset({"across-changed", "across-exchanged"})
 _WITHOUT_COEFFICIENT = frozenset({"energy-conserved", "restitution-omitted"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
 _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
@@ -171,9 +173,13 @@ class Names:
         if plain == "restitution-inverted" and _is_solved_wrongly(entry, judge):
             plain = None
         families = {variant.mistake for variant in variants}
-        if len(families) > 1 and plain in families:
+        if len(families) > 1 and plain in families and "across-exchanged" not in families:
             # What the line shows by itself decides between laws that give one value.
             variants = tuple(variant for variant in variants if variant.mistake == plain)
+        if not self._by_states(entry, judge) and is_decided(entry, judge):
+            variants, plain = (), None
+        if is_coefficient(entry) and families == {"speed-for-component"}:
+            variants, plain = (), "restitution-whole-speed"  # the law of no other components
         plain = None if variants else plain
         if of_deflection:
             plain = "deflection-is-after"
@@ -181,7 +187,7 @@ class Names:
             plain = "restitution-whole-speed" if law else "speed-for-component"
         if variants and all(_is_of_a_whole_speed(variant, judge.base) for variant in variants):
             variants, plain = (), "speed-for-component"
-        if variants and all(leaves_out_across(variant, judge.base) for variant in variants):
+        if variants and all(leaves_out_across(x, entry, judge.base) for x in variants):
             variants, plain = (), "across-changed"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
@@ -203,10 +209,24 @@ class Names:
             if corrected is not None:
                 # The number of a datum is another: of what happens nothing is taken wrongly.
                 return Explained(slip="misread", near=corrected[1], mended=corrected)
+        alone = {*map(_family_of, variants)} <= _OF_ACROSS and is_along_alone(entry)
         direct = all(is_direct(variant.event.number, judge.base) for variant in variants)
         blow = plain == "mass-omitted" and not is_of_energy(entry)
-        impulse = blow or _is_impulse(entry.claim.left, entry)
-        return Explained(variants, slip, at, near if idle else (), claim, plain, direct, impulse)
+        impulse = blow or is_impulse(entry.claim.left, entry)
+        known = near if idle else ()
+        shadowed = {variant.id for variant in variants}
+        shadowed -= {variant.id for variant in plainer_signs(variants, entry, judge.base)}
+        over = is_of_a_journey(entry) and all(
+            is_over(variant.event.number, judge.base) for variant in variants
+        )
+        return Explained(
+            *(variants, slip, at, known, claim, plain),
+            direct=direct,
+            of_impulse=impulse,
+            along=alone,
+            over=over,
+            shadowed=frozenset(shadowed),
+        )
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name.
@@ -214,18 +234,17 @@ class Names:
         Of several altered laws those stay that a line below is an instance of too (``confirmed``
         are their ids), and those that contradict no law which is stated rightly.
         """
-        variants = [variant for variant in explained.variants if variant.id in confirmed]
-        plainer = [variant for variant in explained.variants if _family_of(variant) in _PLAINER]
+        every = [own for own in explained.variants if own.id not in explained.shadowed]
+        variants = [variant for variant in every if variant.id in confirmed]
+        plainer = [variant for variant in every if _family_of(variant) in _PLAINER]
         speeds = variants and all(_family_of(variant) in _OF_SPEEDS for variant in variants)
         if speeds:
             # What the speeds of a direct impact are taken for has a plainer name.
             variants += plainer
         open_ = bool(speeds and plainer) and not explained.direct
-        variants = variants or [
-            variant for variant in explained.variants if not _contradicts(variant, stated)
-        ]
-        if not variants and {*map(_family_of, explained.variants)} == {"restitution-whole-speed"}:
-            variants = list(explained.variants)  # who has the component may take e × speed as well
+        variants = variants or [variant for variant in every if not _contradicts(variant, stated)]
+        if not variants and {*map(_family_of, every)} == {"restitution-whole-speed"}:
+            variants = list(every)  # who has the component may take e × speed as well
         variants.sort(key=lambda variant: 0 if variant.event.wall else len(variant.laws))
         ids = tuple(dict.fromkeys(variant.id for variant in variants))
         families = tuple(dict.fromkeys(map(_family_of, variants)))
@@ -233,6 +252,11 @@ class Names:
             return Mistake(explained.plain, "misconception", at=explained.at)
         if not families:
             return Mistake(explained.slip, "slip", at=explained.at) if explained.slip else NO_NAME
+        if explained.over:
+            return Mistake(None, "misconception", ids, at=explained.at, sure=False)
+        if explained.along:
+            also = (*families, "speed-for-component")
+            return Mistake(None, "misconception", ids, also, explained.at, sure=False)
         wall = variants[0].event.wall
         usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
         before = {
@@ -266,13 +290,7 @@ class Names:
         """The altered laws that explain a claim where no slip does."""
         if entry.claim.sign != "=" or entry.claim.others:
             return ()
-        altered = {(use.altered, use.event) for use in judge.uses_of_entry(entry)}
-        by_states = [
-            variant
-            for variant in self.variants
-            if not altered.isdisjoint(((variant.id, variant.event.number), (variant.id, None)))
-        ]
-        by_states = list(self._without_energy(by_states, judge.base))
+        by_states = list(self._without_energy(self._by_states(entry, judge), judge.base))
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
             by_states = [state for state in by_states if "impulse" in _kinds(state)]
@@ -308,8 +326,12 @@ class Names:
                 correction.change == "turned" for correction in mended
             ):
                 return ()  # a quotient upside down
-            lawful = [correction for correction in mended if _is_law(correction, entry, judge)]
-            return tuple(state for state in by_states if _stands(state, lawful))
+            lawful = [(own, law) for own in mended for law in _laws_of(own, entry, judge)]
+            return tuple(
+                state
+                for state in by_states
+                if _stands(state, [own for own, law in lawful if _replaces(state, law)])
+            )
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
             return ()
         blocking = [
@@ -334,6 +356,15 @@ class Names:
             variants = at_walls or variants
         return tuple(dict.fromkeys(variant for variant in variants if _stands(variant, blocking)))
 
+    def _by_states(self, entry: Entry, judge: JudgedSoFar) -> Sequence[VariantAt]:
+        """The altered laws of which a claim is an instance by random states."""
+        altered = {(use.altered, use.event) for use in judge.uses_of_entry(entry)}
+        return [
+            variant
+            for variant in self.variants
+            if not altered.isdisjoint(((variant.id, variant.event.number), (variant.id, None)))
+        ]
+
     def _is_kept(
         self,
         entry: Entry,
@@ -342,7 +373,7 @@ class Names:
         judge: JudgedSoFar,
     ) -> bool:
         """Whether a number is that of the speed before a wall, and so no other by its figure."""
-        omitted = {state.mistake for state in states} == {"restitution-omitted"}
+        omitted = {state.mistake for state in states} <= _OF_A_KEPT_SIZE
         figures = (x for x in mended if x.change == "figure")
         return omitted and all(self._is_familiar(x, entry, judge) for x in figures)
 
@@ -365,9 +396,7 @@ class Names:
         if given and meant is not None and kind_of(meant) == "velocity":
             # The velocity of one body, from its own and the impulse that is given.
             return letters(sides[1]).isdisjoint(entry.meanings)
-        return any(_is_impulse(side, entry) for side in sides) or any(
-            map(sides.__contains__, given)
-        )
+        return any(is_impulse(side, entry) for side in sides) or any(map(sides.__contains__, given))
 
     def _of_masses(self, entry: Entry, variants: Sequence[VariantAt]) -> Sequence[VariantAt]:
         """The altered laws of a line: of one with masses in it none of restitution, if others fit.
@@ -411,7 +440,7 @@ class Names:
         for variant in self.variants:
             for result in variant.results:
                 for world in (judge.base, *judge.students()):
-                    if any(_is_result(form, result, world) for form in forms):
+                    if any(is_result(form, result, world) for form in forms):
                         yield variant
 
     def _with_given(self, entry: Entry) -> Iterator[Entry]:
@@ -492,7 +521,10 @@ class Names:
         if world.solution not in self._familiar:
             values = [float(value) for value in numbers_of(self.problem)]
             for candidate in candidates(self.problem, world.part):
-                values += numbers_in(world, candidate.quantity)
+                own = list(numbers_in(world, candidate.quantity))
+                values += own
+                if candidate.kind in ("component", "speed"):
+                    values += [value**2 for value in own]
             self._familiar[world.solution] = tuple(
                 dict.fromkeys(value for value in values if value)
             )
@@ -562,18 +594,17 @@ def _near(
     return best
 
 
-def _is_law(correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
-    """Whether a corrected claim is an instance of a law, and not true by its numbers alone."""
+def _laws_of(correction: Correction, entry: Entry, judge: JudgedSoFar) -> Iterator[str]:
+    """The laws of which a corrected claim is an instance, and not true by its numbers alone."""
     whole = correction.part in (entry.claim.left, entry.claim.right)
     if correction.change != "sign" or whole:
-        return False
+        return
     mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
     # Of a law that stands above already a line is no second attempt.
     stated = {(principle, event) for principle, event, _ in judge.stated()}
-    return any(
-        use.principle in _LAWS and (use.principle, use.event) not in stated
-        for use in judge.uses_of_entry(mended)
-    )
+    for use in judge.uses_of_entry(mended):
+        if use.principle in _LAWS and (use.principle, use.event) not in stated:
+            yield use.principle
 
 
 def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
@@ -636,58 +667,3 @@ def _is_deflection(entry: Entry) -> bool:
     """Whether the left side of a claim is the angle between two directions of one body."""
     left = entry.claim.left
     return is_turn(entry.meanings.get(left.name, left) if isinstance(left, Letter) else left)
-
-
-def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:
-    """Whether a claim gives a quantity the value that an altered definition gives it."""
-    if not _is_quantity(entry, result.quantity, world):
-        return False
-    kind = result.quantity
-    if is_quantity(kind, "impulse") and not kind.arguments:
-        # Of a size people may write the difference in either order.
-        entry = replace(entry, claim=replace(entry.claim, right=Apply("abs", entry.claim.right)))
-    if not _gives(entry, result.value, world):
-        return False
-    return result.sense is None or not_negative(result.sense, world)
-
-
-def _is_quantity(entry: Entry, quantity: Expression, world: World) -> bool:
-    """Whether the left side of a claim names a quantity."""
-    left = entry.claim.left
-    if not isinstance(left, Letter | Quantity):
-        return False
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    if is_quantity(quantity, "impulse") and not quantity.arguments:
-        return _is_impulse(left, entry) and _same_value(Apply("abs", meant), quantity, entry, world)
-    if isinstance(meant, Binary) and isinstance(quantity, Binary):
-        return _same_value(meant, quantity, entry, world)
-    return (
-        isinstance(meant, Quantity)
-        and isinstance(quantity, Quantity)
-        and (meant.kind == quantity.kind)
-        and _same_value(meant, quantity, entry, world)
-    )
-
-
-def _is_impulse(tree: Expression, entry: Entry) -> bool:
-    """Whether a side is the size of an impulse, or a component of one."""
-    meant = entry.meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
-    meant = unsigned(meant)
-    if is_component(meant):
-        meant = meant.arguments[0]
-    return is_quantity(meant, "impulse")
-
-
-def _same_value(one: Expression, other: Expression, entry: Entry, world: World) -> bool:
-    try:
-        a = world.scalar(one, entry.meanings, scope=entry.scope)
-        b = world.scalar(other, entry.meanings, scope=entry.scope)
-    except RestitutionError:
-        return False
-    return bool(np.allclose(a, b, rtol=1e-9, atol=1e-12))
-
-
-def _gives(entry: Entry, value: Expression, world: World) -> bool:
-    """Whether the right side of a claim has the value of a tree."""
-    claim = type(entry.claim)(value, "=", entry.claim.right)
-    return holds_in(Entry(entry.number, claim, entry.meanings, entry.scope, entry.decimals), world)

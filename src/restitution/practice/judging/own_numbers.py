@@ -49,7 +49,9 @@ class OwnNumbers:
     """
 
     def __init__(self, factors: Iterable[Fraction] = ()) -> None:
-        self._factors = (*_FACTORS, *(factor for factor in factors if factor not in _SMALL))
+        own = tuple(factor for factor in factors if factor not in _SMALL)
+        self._factors = (*_FACTORS, *own)
+        self._data = frozenset(factor for factor in own if factor.denominator > 1)
         self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
         self._behind: dict[Fraction, Expression | None] = {}
         self._terms: dict[Expression, tuple[tuple[Expression, ...], int]] = {}
@@ -87,12 +89,23 @@ class OwnNumbers:
     def put_back(self, claim: Claim) -> Iterator[Put]:
         """A claim with what its wrong numbers stand for, and the lines that these are from.
 
-        A fraction is one number: 49/256 is the square of 7/16.
+        A fraction is one number: 49/256 is the square of 7/16, and ¾ is e.
         """
+        claim = replace(claim, left=self._with_data(claim.left), right=self._with_data(claim.right))
         yield from self._put_back(claim)
         whole = replace(claim, left=_with_fractions(claim.left), right=_with_fractions(claim.right))
         if whole != claim:
             yield from self._put_back(whole)
+
+    def _with_data(self, tree: Expression) -> Expression:
+        """A tree with fractions that are data as one number each: of these no figure is his own."""
+
+        def change(node: Expression) -> Expression:
+            whole = _as_fraction(node)
+            data = isinstance(whole, Number) and whole.value in self._data
+            return whole if data and whole is not node else node
+
+        return rebuilt(tree, change)
 
     def _put_back(self, claim: Claim) -> Iterator[Put]:
         yield from self._with_terms(claim)

@@ -10,17 +10,23 @@ from itertools import permutations, product
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
     Negate,
     Number,
     Quantity,
+    is_component,
+    is_function,
     is_quantity,
     is_vector,
     letters,
@@ -85,9 +91,41 @@ def is_fraction_of_line_energy(entry: Entry, world: World) -> bool:
             return False
     for number, pair in _pairs(world):
         along = reduce(_plus, (_energy_by(body, "along", number - 1, number) for body in pair))
-        if has_value(Binary("/", lost, along), entry.claim.right, entry, world):
+        share = Binary("/", lost, along)
+        hundredths = Binary("*", Number(Fraction(100)), share)
+        if any(has_value(x, entry.claim.right, entry, world) for x in (share, hundredths)):
             return True
     return False
+
+
+def is_impulse_by_other_function(entry: Entry, world: World) -> bool:
+    """Whether an impulse is right with the other one of sine and cosine: ``mu cos 30``."""
+    meant = unsigned(meant_by(entry))
+    inside = meant.arguments[0] if is_component(meant) else meant
+    right = entry.claim.right
+    ratios = [node for node in walk(right) if is_function(node, "sin", "cos")]
+    if not is_quantity(inside, "impulse") or len(ratios) != 1:
+        return False
+    (ratio,) = ratios
+    other = Apply("cos" if ratio.function == "sin" else "sin", ratio.argument)
+    return has_value(meant_by(entry), exchanged(right, {ratio: other}), entry, world)
+
+
+def _is_angle_alone(variant: VariantAt, entry: Entry, world: World) -> bool:
+    """Whether a deflection is given in figures that are an angle before the impact as well."""
+    if variant.mistake != "deflection-difference" or not isinstance(entry.claim.right, Degrees):
+        return False
+    number = variant.event.number
+    angles = (
+        Quantity("angle", (_velocity(body, number - 1), _line(number)))
+        for body in variant.event.bodies
+        if body in world.start
+    )
+    return any(
+        has_value(tree, entry.claim.right, entry, world)
+        for angle in angles
+        for tree in (angle, Binary("-", RIGHT_ANGLE, angle), Binary("-", STRAIGHT_ANGLE, angle))
+    )
 
 
 def is_energy_of_components(entry: Entry, world: World) -> bool:
@@ -196,6 +234,8 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     """
     if is_root_of_a_sum(entry.claim.right) and variant.mistake in _OF_WHOLE_SPEEDS:
         return True
+    if _is_angle_alone(variant, entry, world):
+        return True
     meant = meant_by(entry)
     meant = unsigned(meant)
     match meant:
@@ -292,6 +332,7 @@ SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_coefficient_inverted, "restitution-inverted"),
     (is_coefficient_of_speeds, "restitution-whole-speed"),
     (is_fraction_of_line_energy, "energy-fraction-of-line"),
+    (is_impulse_by_other_function, "sine-cosine"),
     (is_energy_of_components, "energy-component-missing"),
     (is_across_exchanged, "across-exchanged"),
     (is_restitution_parallel, "restitution-parallel"),

@@ -489,15 +489,22 @@ def is_zero(tree: Expression, world: World) -> bool:
     return bool(np.all(size < _TINY))
 
 
-def leaves_out_across(variant: VariantAt, world: World) -> bool:
-    """Whether components across are exchanged with one that is zero: it is left out."""
+def leaves_out_across(variant: VariantAt, entry: Entry, world: World) -> bool:
+    """Whether components across are exchanged with one that is zero: it is left out.
+
+    Of the body that has none before, a line tells that it has the other one's.
+    """
     number = variant.event.number
     line = Quantity("line_of_centres", (), number)
-    across = (
-        Quantity("across", (Quantity("velocity", (Name(body),), number - 1), line))
+    without = {
+        body
         for body in variant.event.bodies
-    )
-    return variant.mistake == "across-exchanged" and any(is_zero(x, world) for x in across)
+        if is_zero(
+            Quantity("across", (Quantity("velocity", (Name(body),), number - 1), line)), world
+        )
+    }
+    meant = {node.name for node in walk(meant_by(entry)) if isinstance(node, Name)}
+    return variant.mistake == "across-exchanged" and bool(without) and not without & meant
 
 
 def has_coefficient(event: object) -> bool:

@@ -8,6 +8,7 @@ from itertools import product
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -15,9 +16,12 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    is_quantity,
     letters,
+    walk,
 )
-from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.entries import Entry, is_monomial
+from restitution.practice.judging.plain_mistakes import is_zero
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.squares import is_worth
 from restitution.practice.worlds.arrays import Array
@@ -25,6 +29,42 @@ from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
 OF_SIGNS = frozenset({"momentum-sign", "restitution-sign"})
+
+
+def plainer_signs(
+    variants: Sequence[VariantAt], entry: Entry, world: World
+) -> tuple[VariantAt, ...]:
+    """Altered laws without others where one has a sign, which is plainer.
+
+    The speed of a body that moves along the line of centres is its component, with that sign; and
+    of masses nothing is seen where a sum of momenta is worked out.
+    """
+    if not any(variant.mistake in OF_SIGNS for variant in variants):
+        return tuple(variants)
+    summed = any(is_monomial(side) for side in (entry.claim.left, entry.claim.right))
+    return tuple(
+        variant
+        for variant in variants
+        if not (variant.mistake == "speed-for-component" and _is_of_speeds_along(variant, world))
+        and not (variant.mistake == "masses-exchanged" and summed)
+    )
+
+
+def _is_of_speeds_along(variant: VariantAt, world: World) -> bool:
+    """Whether all bodies of which a law has speeds move along the line of centres."""
+    line = Quantity("line_of_centres", (), variant.event.number)
+    speeds = [
+        node
+        for law in variant.laws
+        for side in law.sides
+        for node in walk(side)
+        if is_quantity(node, "speed")
+    ]
+    across = (
+        Quantity("across", (Quantity("velocity", speed.arguments, speed.stage), line))
+        for speed in speeds
+    )
+    return bool(speeds) and all(is_zero(component, world) for component in across)
 
 
 def is_slip_of_sign(entry: Entry, mended: Sequence[Correction], world: World) -> bool:

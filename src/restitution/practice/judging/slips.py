@@ -25,7 +25,6 @@ from restitution.expression.tree import (
     Number,
     Pi,
     Quantity,
-    Unit,
     children,
     is_binary,
     letter_nodes,
@@ -117,9 +116,8 @@ def _signs(tree: Expression) -> Iterator[Edit]:
 
 
 def _is_first_term(tree: Expression) -> bool:
-    """Whether the first of two terms may have lost its sign: a letter, or one along i or j."""
-    vector = is_binary(tree, "*") and isinstance(tree.right, Unit)
-    return vector or not isinstance(tree, Negate | Binary)
+    """Whether the first of two terms may have lost its sign: it has none, and is no sum."""
+    return not isinstance(tree, Negate) and not is_binary(tree, "+", "-")
 
 
 def _turned(claim: Claim) -> Iterator[Correction]:

@@ -22,6 +22,7 @@ _PRINCIPLES = {
 }
 
 
+_LAWS = frozenset({"momentum", "restitution", "unchanged"})
 # The name of a law before its equation.
 _NAMES: Mapping[str, re.Pattern[str]] = {
     "momentum": re.compile(r"\b(p?\.?c\.?l\.?m|co[ml]|mtm|mom|momentum)\b", re.IGNORECASE),
@@ -52,7 +53,23 @@ def of_mistake(mistake: Mistake, use: Use) -> Use:
     return replace(use, altered=f"{mistake.id}/1")
 
 
-def uses_of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterator[Use]:
+def with_variants(
+    uses: Sequence[Use], variants: Sequence[VariantAt], mistake: Mistake
+) -> tuple[Use, ...]:
+    """What a line uses with the altered laws of its mistake.
+
+    Of a result that is defined wrongly, the laws that it would have otherwise are no mistake.
+    """
+    own = tuple(_of_variants(variants, mistake))
+    others = uses if any(use.principle in _LAWS for use in own) else _without_laws(uses)
+    return tuple(dict.fromkeys((*own, *others)))
+
+
+def _without_laws(uses: Sequence[Use]) -> Iterator[Use]:
+    return (use for use in uses if use.principle not in _LAWS)
+
+
+def _of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterator[Use]:
     """The altered laws and results of a named mistake in a line with numbers put in."""
     for variant in variants:
         if variant.id in mistake.variants:

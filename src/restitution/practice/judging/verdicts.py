@@ -30,6 +30,7 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in
 from restitution.practice.judging.certain_letters import is_root_of_a_sum
+from restitution.practice.judging.deciding import decided
 from restitution.practice.judging.entries import (
     Entry,
     Meanings,
@@ -71,7 +72,7 @@ from restitution.practice.judging.uses import (
     as_labelled,
     is_bare_value,
     of_mistake,
-    uses_of_variants,
+    with_variants,
 )
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import lines_of_letters, read_as
@@ -149,6 +150,7 @@ class Judge(Unlabelled):
             return replace(line, mistake=Mistake(None))
         confirmed = frozenset(self._confirmed.get(line.line.number, ()))
         mistake = self.naming.named(explained, self.stated(), confirmed)
+        mistake = decided(mistake, explained.variants, line.line.number, self)
         if mistake.kind == "misconception" and not mistake.variants:
             named = MISCONCEPTIONS.get(mistake.id or "")
             if named is not None and explained.of_impulse:
@@ -160,7 +162,7 @@ class Judge(Unlabelled):
         idle = all(use.principle == "arithmetic" for use in line.uses)
         uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
-            uses = tuple(dict.fromkeys((*uses_of_variants(explained.variants, mistake), *uses)))
+            uses = with_variants(uses, explained.variants, mistake)
         if mistake.kind == "misconception" and not mistake.variants:
             uses = tuple(use if use.altered is None else of_mistake(mistake, use) for use in uses)
         if mistake.id == "energy-fraction-of-line" and all(x.principle != "energy" for x in uses):

@@ -114,8 +114,12 @@ def candidates(problem: Problem, part: Part | None = None) -> tuple[Candidate, .
 
 
 def _events(problem: Problem, part: Part | None) -> list[Event]:
+    """The events up to the last one of which a part asks: those behind it are of later parts."""
     steps = (step for step, _, _ in problem.timeline(part))
-    return [step for step in steps if isinstance(step, Event)]
+    events = [step for step in steps if isinstance(step, Event)]
+    last = part is None or part == problem.parts[-1]
+    asked = [] if last else [now for _, now in problem.asked(part)]
+    return events[: max(asked, default=0) or len(events)]
 
 
 def _all(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:

@@ -240,7 +240,7 @@ class _Search(LettersOfLines):
             own = [around.staged(tree, scope) for tree in self._other_way(name, phrase)]
             if is_vague(name):  # an angle is that which is asked, if it may be
                 own.sort(key=lambda tree: tree not in around.asked)
-            last = len(around.events)
+            last = around.world.now()
             stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
             other = () if is_relative(name) else elsewhen(name, own, stages)
             every = [*map(self._in_its_sense, of_trees(own)), *other]

@@ -35,7 +35,8 @@ AXES: dict[str, Expression] = {
 }
 
 
-_MASS_CENTRE = frozenset(("centre", "center", "mass", "com"))
+_MASS_CENTRE = frozenset(("centre", "center", "mass", "com", "cm"))
+_OF_MOTION = frozenset(("velocity", "vel", "speed", "v", "relative", "rel"))
 
 
 @dataclass(frozen=True)
@@ -132,11 +133,14 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
 
 
 def _is_of_mass_centre(words: Sequence[str]) -> bool:
-    """Whether words speak of the mass centre: ``velocity of centre of mass``."""
+    """Whether words speak of the mass centre: ``A relative to centre of mass``.
+
+    Of *COM* and *CM* others say so, as these may be momentum that is kept.
+    """
     low = {word.lower() for word in words}
-    if not low & {"velocity", "vel", "speed", "v"}:
-        return False
-    return bool(low & {"com"} or ("mass" in low and low & {"centre", "center"}))
+    if "mass" in low and low & {"centre", "center"}:
+        return True
+    return bool(low & {"com", "cm"} and low & _OF_MOTION)
 
 
 def _is_name(words: Sequence[str], place: int) -> bool:

@@ -17,7 +17,15 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.reading import amounts, attributions, meetings, shares, walls_in_words
+from restitution.practice.reading import (
+    amounts,
+    attributions,
+    mass_centres,
+    meetings,
+    pairs_in_words,
+    shares,
+    walls_in_words,
+)
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
@@ -336,6 +344,15 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_BECOMES, _after),
     (_DIRECTION_OF_IMPULSE, lambda _, __: "impulse is parallel to "),
     (_SPEED_SQUARED, lambda match, _: f"{match[1]} ^2"),
+    (pairs_in_words.COMPONENTS, pairs_in_words.components),
+    (pairs_in_words.BEFORE_AND_AFTER, pairs_in_words.before_and_after),
+    (pairs_in_words.AFTER_A_LABEL, pairs_in_words.before_and_after),
+    (pairs_in_words.EACH_BEHIND, pairs_in_words.before_and_after),
+    (pairs_in_words.EACH_IN_FRONT, pairs_in_words.before_and_after),
+    (mass_centres.OF_BOTH, mass_centres.of_both),
+    (mass_centres.BOTH_BEHIND, mass_centres.of_both),
+    (mass_centres.OF_ONE, mass_centres.of_one),
+    (mass_centres.OF_CENTRE, mass_centres.of_centre),
     (walls_in_words.TO_A_WALL, walls_in_words.to_a_wall),
     (walls_in_words.SQUARED_THEN, lambda match, _: f"{match[1]} ^2"),
     (walls_in_words.SQUARED_WAY, lambda match, _: f"{match[1]} component ^2"),

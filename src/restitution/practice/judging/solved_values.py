@@ -1,0 +1,94 @@
+"""Values that true lines above decide: what is wrong is how they are solved, and no law."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import (
+    Binary,
+    Letter,
+    Quantity,
+    is_vector,
+    letters,
+    quantities_in,
+    rational,
+)
+from restitution.practice.judging.claimed import meant_by
+from restitution.practice.judging.deduction import deduced_from
+from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.explained import JudgedSoFar
+from restitution.practice.worlds.world import World
+from restitution.problem import Value
+
+_MOST = 10_000
+_SAME = 1e-9
+_OF_MOTION = frozenset({"velocity", "speed"})
+
+
+def is_decided(entry: Entry, judge: JudgedSoFar) -> bool:
+    """Whether true lines above decide a value that a claim gives wrongly: ``2e = 1/2, e = 1``."""
+    world = judge.base
+    claim = entry.claim
+    if claim.sign != "=" or claim.others or not isinstance(claim.left, Letter | Quantity):
+        return False
+    if is_vector(claim.right) or not letters(claim.right) <= world.letters.keys():
+        return False
+    factor = _factor(entry, world)
+    if factor is None:
+        return False
+    right = Binary("*", rational(factor), claim.right)
+    true = [other for other in judge.entries if other.right and not other.is_value]
+    known = [other for other in judge.entries if other.right and other.is_value]
+    mended = replace(entry, claim=replace(claim, right=right), right=True, wrong=False)
+    data = judge.question.given
+    return bool(true) and bool(deduced_from(mended, [*known, *true], world, data))
+
+
+def _factor(entry: Entry, world: World) -> Fraction | None:
+    """What the value that is given has to be multiplied by, where it is one number."""
+    try:
+        sides = (entry.claim.left, entry.claim.right)
+        true, given = (
+            world.spread(world.scalar(side, entry.meanings, scope=entry.scope)) for side in sides
+        )
+    except RestitutionError:
+        return None
+    if not np.all(np.abs(given)):
+        return None
+    ratio = true / given
+    near = Fraction(float(ratio.flat[0])).limit_denominator(_MOST)
+    same = np.all(np.abs(ratio - float(near)) <= _SAME * np.abs(ratio))
+    return near if near and same else None
+
+
+def is_over(number: int, world: World) -> bool:
+    """Whether an earlier part asks for the velocity after an event, and this part for later ones.
+
+    Who goes on from there has had that velocity, right or wrong.
+    """
+    problem, part = world.problem, world.part
+    if part not in problem.parts:
+        return False
+    above = problem.parts[: problem.parts.index(part)]
+    done = [
+        now
+        for earlier in above
+        for item, now in problem.asked(earlier)
+        if isinstance(item, Value)
+        and any(node.kind in _OF_MOTION for node in quantities_in(item.expression))
+    ]
+    own = [now for _, now in problem.asked(part)]
+    return bool(done and own) and number <= max(done) < max(own)
+
+
+def is_along_alone(entry: Entry) -> bool:
+    """Whether a claim gives a speed or a distance, and no vector.
+
+    With no component across it may have left that out, or taken the other one for the speed.
+    """
+    meant = meant_by(entry)
+    return isinstance(meant, Quantity) and meant.kind in ("speed", "distance")
