@@ -1252,3 +1252,12 @@ def test_what_is_worked_out_of_a_wrong_angle_follows() -> None:
     letters = {"v": "along(velocity(A), line_of_centres)", "w": "speed(B)"}
     lines = restitution.mark(solution(OFFSET), working, letters=letters).json()["lines"]
     assert [line["verdict"] for line in lines][::2] == ["false", "follows"]
+
+
+def test_a_vector_that_stands_alone_shows_both_laws_at_a_wall() -> None:
+    statement = "wall W: along i\nsphere P: mass 1, velocity 8i - 6j\nP hits W: e = 1/3\n"
+    marks = restitution.mark(
+        restitution.parse(f"{statement}find velocity(P), speed(P)"), "8i + 2j"
+    ).json()["marks"]
+    earned = {point["for"] for point in marks["points"] if point["state"] == "earned"}
+    assert {"component that the impact does not change", "Newton's experimental law"} <= earned

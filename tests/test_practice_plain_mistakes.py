@@ -688,3 +688,51 @@ def test_a_time_that_goes_on_from_an_earlier_part_has_no_name() -> None:
     (line,) = restitution.mark(restitution.parse(statement), "time = 5/4", part="b").json()["lines"]
     assert line["verdict"] == "false"
     assert line["mistake"]["id"] is None
+
+
+YARD = """
+wall AB: along i
+wall BC: along j
+sphere P: mass 0.5, velocity 8i - 6j
+P hits AB: e = 1/3
+part a
+find velocity(P), speed(P)
+P hits BC: e = 3/4
+part b
+find velocity(P), total_energy_lost
+"""
+DIAGONAL = """
+wall W: along i
+sphere P: mass 2, velocity 4i - 4j
+P hits W: e = 3/4
+find velocity(P)
+"""
+FENCE = """
+wall W: along i
+sphere P: mass 3, velocity 8 at 30° to W
+P hits W: e = 1/4
+find speed(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "part", "lines", "verdicts", "name"),
+    [
+        # Both squares are missing.
+        (YARD, "a", "v = 8i + 2j\nspeed = √(8 + 2) = 3.16", "TF", "square-not-taken"),
+        # Of the whole path, and the half is left out of both energies.
+        (YARD, "b", "KE before = 0.5 × 100 = 50\nKE after = 0.5 × 40 = 20", "F>", "energy-no-half"),
+        # Both components are 4, so none is seen to be taken for the other.
+        (DIAGONAL, None, "velocity after = 4i - 3j", "F", "restitution-sign"),
+        # In both components, and each is sine for cosine.
+        (FENCE, None, "parallel 8 sin 30 = 4\nperp 1/4 × 8 cos 30 = √3", "F>", "sine-cosine"),
+    ],
+)
+def test_what_is_wrong_twice_is_one_mistake(
+    statement: str, part: str | None, lines: str, verdicts: str, name: str
+) -> None:
+    marking = restitution.mark(restitution.parse(statement), lines, part=part).json()
+    signs = {"true": "T", "false": "F", "follows": ">"}
+    assert "".join(signs[line["verdict"]] for line in marking["lines"]) == verdicts
+    (mistake,) = (line["mistake"] for line in marking["lines"] if line["mistake"])
+    assert mistake["id"] == name

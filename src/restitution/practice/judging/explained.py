@@ -43,6 +43,11 @@ class Explained:
     over: bool = False
     shadowed: frozenset[str] = frozenset()
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether neither a misconception nor a slip explains the claim."""
+        return not (self.variants or self.plain or self.slip)
+
     def shared_with(self, other: Explained) -> Explained:
         """What explains this claim and another of its line, if anything explains both."""
         ids = {variant.id for variant in other.variants}

@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
-from restitution.practice.judgement import Accuracy, Use, Verdict
+from restitution.practice.judgement import Accuracy, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
 from restitution.practice.judging.assembling import assembled_from
 from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
@@ -40,7 +40,6 @@ from restitution.practice.judging.entries import (
     is_root_of,
     sources_of,
 )
-from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.holding import OWN_ROUNDING
 from restitution.practice.judging.judged_link import (
     COARSE,
@@ -58,7 +57,9 @@ from restitution.practice.judging.other_forms import (
     with_across_exchanged,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
+from restitution.practice.judging.plain_mistakes import is_of_energy
 from restitution.practice.judging.support import Support
+from restitution.practice.judging.uses import repeated_in
 from restitution.practice.letters.options import Usage, options
 from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.phrase_names import is_phrase
@@ -76,6 +77,8 @@ NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 _OF_COMPONENTS = frozenset({"momentum", "restitution", "unchanged"})
 """The laws that tell the components after an impact."""
+_OF_ENERGIES = frozenset({"energy-no-half", "mass-omitted"})
+"""What whoever leaves it out of one energy leaves out of the other."""
 _OF_OTHER_ANGLE = ("sine-cosine", "angle-from-normal")
 _OF_SPHERES = frozenset({"momentum", "restitution"})
 """The laws along a line of centres."""
@@ -423,11 +426,13 @@ class Following(OwnValues):
         if not self._names or not self._explained:
             return None
         entry = replace(self._entry_of(line, link, link.readings[0]), right=False, wrong=True)
+        if (number := self._once_more(entry)) is not None:
+            return JudgedLink("follows", link.readings[0], "exact", (number,), REPEATED)
         uses = [use for use in self.uses_of_entry(entry) if use.altered]
         again = {_family(use.altered) for use in uses if use.altered}
         for number, mistake in self._explained.items():
             if again & {_family(variant.id) for variant in mistake.variants}:
-                repeated = self._repeated(mistake, uses)
+                repeated = repeated_in(mistake.variants, uses)
                 if repeated:
                     self._confirmed.setdefault(number, set()).update(repeated)
                     first = link.readings[0]
@@ -443,6 +448,19 @@ class Following(OwnValues):
                         self._confirmed.setdefault(number, set()).add(variant.id)
                         return JudgedLink("follows", claim, grade, (number,))
         return None
+
+    def _once_more(self, entry: Entry) -> int | None:
+        """The line above that defines an energy wrongly, where a claim does so in the same way."""
+        defined = {
+            variant.id: number
+            for number, mistake in self._explained.items()
+            for variant in mistake.variants
+            if not variant.laws and variant.mistake in _OF_ENERGIES
+        }
+        if not defined or not is_of_energy(entry):
+            return None
+        again = (variant.id for variant in self.naming.explained(entry, self).variants)
+        return next((defined[name] for name in again if name in defined), None)
 
     def _is_without_support(self, entry: Entry, students: Sequence[World]) -> bool:
         """Whether a true line is what is to be shown, and nothing leads to it.
@@ -464,18 +482,6 @@ class Following(OwnValues):
             return True
         uses = () if entry.is_value else self.uses_of_entry(entry)[:1]
         return any(use.altered is None and use.principle in _OF_SPHERES for use in uses)
-
-    def _repeated(self, mistake: Explained, uses: Sequence[Use]) -> frozenset[str]:
-        """The mistakes of an earlier line that a line has once more, at the same event.
-
-        Whoever exchanges sine and cosine in one component does so in the other.
-        """
-        return frozenset(
-            variant.id
-            for variant in mistake.variants
-            for use in uses
-            if variant.id == use.altered and variant.event.number == use.event
-        )
 
     def _impossible(self, claim: Claim) -> str | None:
         """The remark on a coefficient, a sine or a cosine that cannot have its value."""

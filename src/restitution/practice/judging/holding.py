@@ -407,7 +407,7 @@ class Holding:
             trees = read_phrase(phrase, world.problem, event, world.now())
             if event is not None and trees and _is_of_an_event(trees[0]):
                 first = 1  # no deflection of the second impact is that of the first
-            every = range(first, len(world.events) + 1)
+            every = range(first, world.now() + 1)
             stages = list(every) if event is None else [event, event - 1][: 2 - first]
             meanings = [
                 staged(tree, world.problem, world.part, now)

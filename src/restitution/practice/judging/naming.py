@@ -265,6 +265,9 @@ class Names:
         }
         likely = [family for family in families if not set(families) & before[family]]
         name = likely[0] if len(likely) == 1 and not open_ else None
+        if name == "angle-from-normal" and any(own.mistake == "sine-cosine" for own in every):
+            # That in every line is sine for cosine in each.
+            name, families = "sine-cosine", ("sine-cosine", *families)
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(family for family in families if family != name and family not in dull)
         return Mistake(name, "misconception", ids, also, explained.at, sure=not also)

@@ -14,6 +14,7 @@ from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
     Apply,
@@ -43,6 +44,7 @@ from restitution.problem import Impact
 _TINY = 1e-9
 _TWO = Number(Fraction(2))
 _ONE = Number(Fraction(1))
+_OF_ANGLES = frozenset({"sine-cosine", "angle-from-normal"})
 _OF_WHOLE_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component"})
 # What may be wrong in a component before an impact.
 _OF_COMPONENTS = frozenset({"sine-cosine", "angle-from-normal", "speed-for-component"})
@@ -109,6 +111,19 @@ def is_impulse_by_other_function(entry: Entry, world: World) -> bool:
     (ratio,) = ratios
     other = Apply("cos" if ratio.function == "sin" else "sin", ratio.argument)
     return has_value(meant_by(entry), exchanged(right, {ratio: other}), entry, world)
+
+
+def _are_alike(variant: VariantAt, world: World) -> bool:
+    """Whether sine and cosine are exchanged at a wall to which a body comes at 45°."""
+    if variant.mistake not in _OF_ANGLES or not variant.event.wall:
+        return False
+    number, (body, *_) = variant.event.number, variant.event.bodies
+    parts = (Quantity(x, (_velocity(body, number - 1), _line(number))) for x in COMPONENTS)
+    try:
+        one, other = (np.abs(world.spread(world.scalar(part))) for part in parts)
+    except RestitutionError:
+        return False
+    return bool(np.allclose(one, other, rtol=_TINY))
 
 
 def _is_angle_alone(variant: VariantAt, entry: Entry, world: World) -> bool:
@@ -230,11 +245,12 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
 
     A component that is given before an impact is not changed there; and where e is put across,
     each sphere keeps its component along the line: with one of zero an equation tells nothing.
-    Who adds two squares has components, and puts no whole speed into a law.
+    Who adds two squares has components, and puts no whole speed into a law; and of components
+    that have one size nobody sees which is taken for the other.
     """
     if is_root_of_a_sum(entry.claim.right) and variant.mistake in _OF_WHOLE_SPEEDS:
         return True
-    if _is_angle_alone(variant, entry, world):
+    if _is_angle_alone(variant, entry, world) or _are_alike(variant, world):
         return True
     meant = meant_by(entry)
     meant = unsigned(meant)

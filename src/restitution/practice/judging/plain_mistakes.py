@@ -51,7 +51,11 @@ from restitution.practice.judging.plain_impulses import (
 )
 from restitution.practice.judging.plain_laws import SHOWN
 from restitution.practice.judging.slips import Correction
-from restitution.practice.judging.squares import is_square_of_a_size, is_worth
+from restitution.practice.judging.squares import (
+    is_root_without_squares,
+    is_square_of_a_size,
+    is_worth,
+)
 from restitution.practice.judging.typed_energies import (
     are_one_number,
     given_energies,
@@ -660,6 +664,7 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_fraction_of_line, "energy-fraction-of-line"),
     (is_tangent_inverted, "restitution-inverted"),
     (is_of_exchanged_squares, "restitution-parallel"),
+    (is_root_without_squares, "square-not-taken"),
     (is_impulse_reversed, "impulse-sign"),
     (is_impulse_of_speeds, "impulse-of-speeds"),
     (is_impulse_of_other_mass, "masses-exchanged"),

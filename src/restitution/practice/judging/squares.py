@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from itertools import product
 
 import numpy as np
@@ -11,12 +12,18 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.expression.tree import (
     COMPONENTS,
+    Apply,
+    Binary,
     Expression,
     Name,
+    Number,
     Quantity,
     Unit,
     is_binary,
+    is_function,
+    walk,
 )
+from restitution.practice.judging.claimed import has_value
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.slips import Correction
 from restitution.practice.worlds.arrays import Array, is_bare
@@ -66,3 +73,19 @@ def _sizes(world: World) -> Iterator[Array]:
     for tree in trees:
         with suppress(RestitutionError):
             yield np.abs(world.spread(world.scalar(tree)))
+
+
+def is_root_without_squares(entry: Entry, world: World) -> bool:
+    """Whether a speed is the root of the components, where it is that of their squares.
+
+    In ``√(8 + 2)`` both squares are missing, and so none is by a slip.
+    """
+    root = entry.claim.right
+    if not (is_function(root, "sqrt") and is_binary(root.argument, "+")):
+        return False
+    terms = (root.argument.left, root.argument.right)
+    if any(is_binary(node, "^") for term in terms for node in walk(term)):
+        return False
+    left, right = (Binary("^", term, Number(Fraction(2))) for term in terms)
+    squared = Apply("sqrt", Binary("+", left, right))
+    return has_value(entry.claim.left, squared, entry, world)

@@ -20,11 +20,13 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_quantity,
     letters,
     walk,
 )
 from restitution.practice.judgement import JudgedLine
-from restitution.practice.judging.entries import is_numeric
+from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.journeys import Journeys
 from restitution.practice.judging.judged_link import JudgedLink
 from restitution.practice.judging.plain_impulses import is_change_of_momentum
@@ -39,6 +41,21 @@ _TWO = Number(Fraction(2))
 
 class Unlabelled(Journeys):
     """What the last numbers of a working are, where it ends without a name for them."""
+
+    def _explained_otherwise(self, entry: Entry) -> Explained | None:
+        """What explains an energy in words as one at another moment: ``KE before = 0.5 × 100``."""
+        left = entry.claim.left
+        if not (isinstance(left, Letter) and is_phrase(left.name)):
+            return None
+        own = entry.meanings.get(left.name)
+        moments = self._meanings_of(left.name, entry.scope.event)
+        for tree in moments if is_quantity(own, "energy") else ():
+            if tree != own and is_quantity(tree, "energy"):
+                moved = replace(entry, claim=replace(entry.claim, left=tree))
+                other = self.naming.explained(moved, self)
+                if not other.is_empty:
+                    return other
+        return None
 
     def _ends_in_numbers(
         self, lines: Sequence[JudgedLine]

@@ -79,3 +79,16 @@ def _of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterator[Us
                 kind = _PRINCIPLES.get(str(kind_of(result.quantity)))
                 if kind is not None:
                     yield Use(kind, variant.event.number, (), variant.id)
+
+
+def repeated_in(variants: Sequence[VariantAt], uses: Sequence[Use]) -> frozenset[str]:
+    """The mistakes of an earlier line that a line has once more, at the same event.
+
+    Whoever exchanges sine and cosine in one component does so in the other.
+    """
+    return frozenset(
+        variant.id
+        for variant in variants
+        for use in uses
+        if variant.id == use.altered and variant.event.number == use.event
+    )

@@ -387,6 +387,8 @@ class Judge(Unlabelled):
         if is_loss_of_known(entry, [*self.entries, *beside]):
             return Explained(slip="arithmetic", near=(Use("energy"),))
         explained = self.naming.explained(entry, self)
+        if explained.is_empty and (other := self._explained_otherwise(entry)) is not None:
+            return other
         start = end = place
         while start and _goes_on(links[start - 1], links[start]):
             start -= 1

@@ -117,9 +117,10 @@ def _events(problem: Problem, part: Part | None) -> list[Event]:
     """The events up to the last one of which a part asks: those behind it are of later parts."""
     steps = (step for step, _, _ in problem.timeline(part))
     events = [step for step in steps if isinstance(step, Event)]
-    last = part is None or part == problem.parts[-1]
-    asked = [] if last else [now for _, now in problem.asked(part)]
-    return events[: max(asked, default=0) or len(events)]
+    if part is None or part == problem.parts[-1]:
+        return events
+    asked = max((now for _, now in problem.asked(part)), default=0)
+    return events[: asked or len(events)]
 
 
 def _all(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:

@@ -636,7 +636,8 @@ class SinglePoints(Grounds):
         mistake = line.mistake
         name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
         above = [root.mistake.id for root in self._roots(line) if root.mistake is not None]
-        if line.verdict == "follows" and len(above) == 1 and above[0] in MISCONCEPTIONS:
+        root = MISCONCEPTIONS.get(above[0] or "") if len(above) == 1 else None
+        if line.verdict == "follows" and root is not None and root.mark_of(use.principle):
             name = above[0]  # what follows from one mistake has no other
         named = MISCONCEPTIONS.get(name or "")
         if named is not None:

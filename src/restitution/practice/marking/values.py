@@ -609,9 +609,9 @@ class Values(LineContents):
         velocity = next(
             (quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"), None
         )
-        if line.verdict == "remark" and own:
+        if line.verdict == "remark":
             return any(
-                self._is_worth(value, link.right, line)
+                (own and self._is_worth(value, link.right, line))
                 or (velocity is not None and self._has_part(value, velocity, point, line))
                 for value in line.line.values
             )
