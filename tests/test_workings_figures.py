@@ -165,7 +165,7 @@ find e, energy_lost/energy(0) as a percentage
         (
             SPHERES,
             [
-                "1 − e = (2 tan 50°)/tan 80°",
+                "v ≈ 0.1351u",
                 "w ≈ 0.5077u",
                 "½m((u cos 50°)² − (0.1351u)²) − ½m(0.5077u)² ≈ 0.06858mu²",
                 "≈ 0.06858mu²/(½mu²) ≈ 13.7%",

@@ -426,7 +426,9 @@ class Figures:
             is_carried = self._is_long  # every sum of numbers is worked out
         parts = [node for node in walk(tree) if is_carried(node)]
         if self.with_calculator:
-            parts += (node for node in walk(tree) if _is_over_a_root(node) or _is_over_a_sum(node))
+            parts += filter(_is_over_a_root, walk(tree))
+            # A quotient by itself, as of a tangent, stands with the figures above and below.
+            parts += (e for e in walk(tree) if e != unsigned(tree) and _is_over_a_sum(e))
         parts += [
             node.argument
             for node in walk(tree)
