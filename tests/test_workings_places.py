@@ -92,7 +92,7 @@ def test_the_energy_of_one_sphere_has_one_name() -> None:
         "sphere S: mass 3, velocity 4i + 5j\nwall V: along j\nS hits V: e = e\n"
         "given energy(S) = 4 energy(0)/5\npart a\nfind e\npart b\nfind energy_lost(S)"
     )
-    assert text.count("kinetic energy of S before the impact") > 1
+    assert "kinetic energy of S before the impact" in text
     assert "kinetic energy before the impact" not in text
 
 
