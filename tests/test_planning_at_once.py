@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-import pytest
 from test_planning_closing import planned, said
 
 from restitution.language import parse
@@ -194,7 +193,6 @@ def test_a_condition_that_is_shown_below_is_not_said_above() -> None:
     assert "this holds for" not in text_of(f"{statement}\nshow M > m")
 
 
-@pytest.mark.xfail(reason="the line cites a direction that it can do without")
 def test_a_velocity_that_is_asked_stands_before_it_is_resolved() -> None:
     _, derivation = planned(
         "sphere A: mass 2, velocity p i - j\nsphere B: mass 4, velocity i + q j\n"

@@ -56,7 +56,6 @@ def test_velocities_in_one_direction_are_tied_before_the_laws_are_solved() -> No
     ]
 
 
-@pytest.mark.xfail(reason="the line cites a direction that it can do without")
 def test_an_impulse_that_is_given_acts_on_both_spheres() -> None:
     _, derivation = planned(
         "sphere A: mass 2, velocity p i - 3j\nsphere B: mass 1, velocity q i + j\nA hits B\n"

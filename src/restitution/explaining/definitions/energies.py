@@ -131,12 +131,13 @@ def total(step: Step, event: Event | None) -> Iterator[Link]:
                 yield Link(Quantity("energy", (), stage), "=", total_of(terms))
         yield from _of_vectors_and_components(step, event, stage, cited)
     if event is not None and event.kind == "impact":
-        before = Quantity("energy", (), number - 1)
         lost = Quantity("energy_lost", (), number)
         bodies = step.setting.spheres
-        for own in ((), tuple(map(Name, bodies))) if len(bodies) == 1 else ((),):
-            # The energy of all is that of the one body.
-            yield Link(Quantity("energy", own, number), "=", Binary("-", before, lost))
+        # The energy of all is that of the one body.
+        names = ((), tuple(map(Name, bodies))) if len(bodies) == 1 else ((),)
+        for late, early in product(names, repeat=2):
+            before = Quantity("energy", early, number - 1)
+            yield Link(Quantity("energy", late, number), "=", Binary("-", before, lost))
     yield from _of_given_speeds(step)
 
 

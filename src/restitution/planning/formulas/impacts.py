@@ -122,10 +122,11 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         # One by the angle of its path with the line is read off: u cos(α − β).
         in_a_line &= form is None or angle_to_the_line(scene, body, frame) is None
         if frame.is_slanted and in_a_line:
+            exact = None
             if form is None and (read := by_the_angle_from(scene, kind, body, frame, value)):
-                form, value = read
+                form, exact = read
             initial = initial_as_a_line(scene, body) if form is None else initial
-            return by_scalar_product(scene, tree, initial, frame, direction, form, value)
+            return by_scalar_product(scene, tree, initial, frame, direction, form, exact)
         source = _put(scene, Source(value, initial.refs, frame.refs, form))
         if form is None and kind == "along":
             return replace(source, form=with_its_ratio(value, source.value))
