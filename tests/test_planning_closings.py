@@ -141,6 +141,43 @@ find M, speed(B)
             "M ≈ 0.496",
         ),
     ),
+    "two speeds that are apart by a number": (
+        """
+sphere A: mass 2, velocity 4i + 4j
+sphere B: mass 2, velocity -2i + 6j
+A hits B: along i
+given speed(B) - speed(A) = 2
+find e
+""",
+        (
+            "(1 + 3e)² + 6² = (1 − 3e)² + 4² + 4 + 4√((1 − 3e)² + 4²)",
+            "√(17 − 6e + 9e²) = 4 + 3e",
+            "17 − 6e + 9e² = (4 + 3e)²",
+            "e = 1/30",
+        ),
+    ),
+    "two speeds at a wall, of which a root is brought in by squares": (
+        """
+wall W: along i
+sphere P: mass 2, velocity 5i - 6j
+sphere Q: mass 2, velocity 3i - 8j
+P hits W: e = e
+Q hits W: e = e
+given speed(P) = speed(Q) + 1
+find e
+""",
+        ("2√(9 + 64e²) = 15 − 28e²   (1)", "does not satisfy (1)", "e ≈ 0.449, as e ≥ 0"),
+    ),
+    "the sum of two speeds, with an angle": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+given speed(A) + speed(B) = 5/4 u
+find alpha
+""",
+        ("speed of B = ¾u cos α", "√(1 + 15 sin²α) = 5 − 3 cos α", "cos α = ½ or cos α = ¾"),
+    ),
     "a letter that has to go, by an equation between momenta": (
         """
 sphere A: mass M, velocity u at alpha

@@ -225,7 +225,7 @@ def _is_multiplied(step: Step, line: Link, base: Link) -> bool:
 
 
 def _is_squared(step: Step, line: Link, base: Link) -> bool:
-    """Whether a line has the squares of both sides: of a root, and of what is positive."""
+    """Whether a line has the squares of both sides, of which one has a root or a size in it."""
     if line.sign != "=" or base.sign != "=":
         return False
     if not any(map(_is_size_or_root, (*walk(base.left), *walk(base.right)))):
@@ -234,9 +234,8 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
     if not all(isinstance(value, Quotient) for value in values):
         return False
     a, b, c, d = values
-    if not all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d))):  # type: ignore[operator]
-        return False
-    return _never_negative(step, base.left) and _never_negative(step, base.right)
+    # Where a side may be negative this brings in a root, which the line of the sides excludes.
+    return all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d)))  # type: ignore[operator]
 
 
 def is_root_of(step: Step, line: Link, base: Link) -> bool:

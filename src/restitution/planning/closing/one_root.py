@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Letter
@@ -29,14 +29,13 @@ def alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     A side that is long is written in its shortest form before. None of another equation.
     """
     whole = expanded(numerator(residual(scene, number)))
-    if symbol in inside_functions(whole):
-        return None
     parted = _parted(whole, symbol)
     if parted is None:
         return None
     factor, inside, rest = parted
     if scene.model.sign(scene.model.in_data(factor)) < 0:
         factor, rest = -factor, -rest
+    inside = _in_the_ratio_of(rest, inside, symbol)
     left = product(tree_of(factor), Apply("sqrt", tree_of(inside)))
     number = _shortened(scene, number)
     relation = chain(swept(left), (tree_of(expanded(-rest)), None))
@@ -45,18 +44,32 @@ def alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     return _rewritten(scene, number, relation)
 
 
+def _in_the_ratio_of(rest: sp.Expr, inside: sp.Expr, angle: sp.Symbol) -> sp.Expr:
+    """What is below a root in the one ratio of an angle that stands beside it."""
+    sine, cosine = sp.sin(angle), sp.cos(angle)
+    for kept, other in ((cosine, sine), (sine, cosine)):
+        if rest.has(kept) and not rest.has(other):
+            return expanded(in_one_ratio(inside, kept, other))
+    return inside
+
+
 def _parted(whole: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
     """A sum ``a√q + b`` as a, q and b; None of another one. The root may stand in two factors."""
     half = sp.Rational(1, 2)
     roots = [p for p in whole.atoms(sp.Pow) if p.exp == half and p.has(symbol)]
     names = [sp.Dummy(positive=True) for _ in roots]
-    poly = sp.Poly(whole.xreplace(dict(zip(roots, names, strict=True))), *names) if roots else None
-    if poly is None or set(poly.monoms()) != {(0,) * len(roots), (1,) * len(roots)}:
+    bare = whole.xreplace(dict(zip(roots, names, strict=True)))
+    ratios = [ratio for ratio in (sp.sin(symbol), sp.cos(symbol)) if bare.has(ratio)]
+    plain = bare.xreplace({ratio: sp.Dummy() for ratio in ratios})
+    if not roots or symbol in inside_functions(plain) or not bare.is_polynomial(*names):
+        return None
+    poly = sp.Poly(bare, *names)
+    if set(poly.monoms()) != {(0,) * len(roots), (1,) * len(roots)}:
         return None
     factor, rest = poly.nth(*(1 for _ in roots)), poly.nth(*(0 for _ in roots))
     common = sp.gcd(factor, rest)
     factor, rest = (expanded(sp.cancel(value / common)) for value in (factor, rest))
-    if not all(value.is_polynomial(symbol) for value in (factor, rest)):
+    if not all(value.is_polynomial(*(ratios or (symbol,))) for value in (factor, rest)):
         return None
     return factor, expanded(sp.Mul(*(root.base for root in roots))), rest
 
@@ -73,7 +86,7 @@ def _shortened(scene: Scene, number: int) -> int:
 def _rewritten(scene: Scene, number: int, relation: object) -> int | None:
     names = symbol_names(residual(scene, number))
     known: tuple[Ref, ...] = (*background(scene, names), *_given(scene, names))
-    for move in (Move("rearrange"), Move("cancel")):
+    for move in (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras")):
         refs = scene.judge.enough(move, (number,), relation, known)  # type: ignore[arg-type]
         if refs is not None:
             return scene.desk.write(move, refs, relation)  # type: ignore[arg-type]

@@ -228,10 +228,16 @@ def _expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     if x in inside_functions(own) or x not in own.free_symbols:
         return False
     poly = sp.Poly(own, x)
-    if poly.degree() != 1 or x in inside_functions(_above(scene, lines[1])):
+    if poly.degree() != 1 or x in inside_functions(_with_roots_undone(_above(scene, lines[1]))):
         return False
     value = tidy(-poly.nth(0) / poly.nth(1))
     return _put_in(scene, lines, unknowns, Letter(x.name), value, Move("rearrange"))
+
+
+def _with_roots_undone(x: sp.Expr) -> sp.Expr:
+    """An expression in which no square root of a polynomial is a function of the letters there."""
+    roots = [p for p in x.atoms(sp.Pow) if p.exp == sp.S.Half and p.base.is_polynomial()]
+    return x.xreplace({root: root.base for root in roots})
 
 
 def _square_of_unknown(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:

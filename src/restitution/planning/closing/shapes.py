@@ -64,6 +64,7 @@ from restitution.planning.closing.square_roots import (
 )
 from restitution.planning.closing.squares_apart import with_squares_apart
 from restitution.planning.closing.tangents_of_sums import tangent_of_a_sum
+from restitution.planning.closing.two_roots import squared_apart
 from restitution.planning.closing.zeros_of_sums import zero_of_a_sum
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
@@ -244,6 +245,12 @@ def _quotient_worked_out(scene: Scene, number: int) -> int:
         return number
     line = scene.judge.write((Move("rearrange"),), (number,), equality(link.left, shorter))
     return number if line is None else line
+
+
+def _by_two_roots(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Two roots in which the unknown stands, and a number: both sides are squared, twice."""
+    line = squared_apart(scene, number, symbol)
+    return None if line is None else close(scene, line, symbol)
 
 
 def _by_one_root(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
@@ -573,6 +580,7 @@ SHAPES: tuple[Shape, ...] = (
     _of_equal_squares,
     _without_the_sum_of_squares,
     _without_an_angle,
+    _by_two_roots,
     _squared,
     _by_one_root,
     in_squares,

@@ -37,6 +37,7 @@ from restitution.planning.formulas.changed_velocities import by_change_along
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import blown, in_direction
 from restitution.planning.formulas.named_angles import letter_known
+from restitution.planning.formulas.speeds_in_sums import is_in_a_sum, of_one_component
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     difference,
@@ -381,6 +382,10 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
     match tree:
         case Binary("^", base, _) if base != tree_of(size) and scene.scalar(base) == size:
             right = base
+        case Binary("^", base, _) if letters(base) and is_in_a_sum(scene, quantity):
+            one = of_one_component(scene, move, quantity, base, refs)
+            if one is not None:
+                return Formula(move, itself, quantity, base, without_bars(scene.model, size), one)
     own = Formula(move, itself, quantity, right, without_bars(scene.model, size), refs)
     return _by_its_square(scene, own) or own
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
 
 from restitution.explaining.data.offset_angles import letter_of_offset
@@ -59,6 +59,18 @@ _BY_RATIO: Mapping[str, SentenceId] = {
 }
 # That a body moves along the line of centres; with the reason, where it was at rest.
 _ALONG = {False: "derived-speed.along", True: "derived-speed.along-from-rest"}
+
+
+def _values(line: Line, own: Collection[str]) -> Iterator[tuple[Link, ...]]:
+    """What a line says, as chains; of letters that are solved together some."""
+    if not isinstance(line.relation, Relation):
+        return
+    if line.move.id != "solve":
+        yield line.relation.options[0]
+        return
+    for link in line.relation.options[0]:
+        if isinstance(link.left, Letter) and link.left.name in own:
+            yield (link,)
 
 
 def _has_one_component(value: Expression) -> bool:
@@ -405,11 +417,13 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         assert isinstance(line.relation, Relation)
         numbers = numbers_in(line.premises)
         own = [e for e in map(self._cited, numbers) if e is not None]
-        lasting = [e.relation.options[0] for e in own if isinstance(e.relation, Relation)]
+        still_open = [e.relation for e in own if isinstance(e.relation, Meaning)]
+        lasting = [
+            links for e in own for links in _values(e, {meaning.letter for meaning in still_open})
+        ]
         parts = [links[0].left for links in lasting if not is_zero(links[-1].right)]
         # A component that is still a letter may be anything.
         known = {links[0].left for links in lasting}
-        still_open = [e.relation for e in own if isinstance(e.relation, Meaning)]
         parts += [e.quantity for e in still_open if Letter(e.letter) not in known]
         if len(parts) > 1:
             # Beside the velocity along **i** or **j** there is the letter for its component.
