@@ -168,6 +168,34 @@ find e
 """,
         ("2√(9 + 64e²) = 15 − 28e²   (1)", "does not satisfy (1)", "e ≈ 0.449, as e ≥ 0"),
     ),
+    "a loss of energy with a square, and spheres that approach": (
+        """
+sphere A: mass 2, velocity 4i + j
+sphere B: mass 3, velocity v i - 2j
+A hits B: along i, e = 1/2
+given energy_lost = 18
+find v
+""",
+        (
+            "= ½ × 2(16 − (16 + 72v + 81v²)/100) + ½ × 3(v² − 4(36 + 12v + v²)/25)",
+            "(v − 4)² = 40",
+            "as A and B approach each other before they collide",
+        ),
+    ),
+    "an inequality that holds anyway": (
+        """
+sphere A: mass 2, velocity 5i + 3j
+sphere B: mass 1, velocity -i + 4j
+A hits B: along i, e = 1/2
+given speed(B) > speed(A)
+find velocity(A)
+""",
+        (
+            "speed of B = √(5² + 4²) = √41",
+            "speed of A = √(2² + 3²) = √13",
+            "which agrees with this",
+        ),
+    ),
     "the sum of two speeds, with an angle": (
         """
 sphere A: mass m, velocity u at alpha

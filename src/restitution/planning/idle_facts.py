@@ -21,7 +21,7 @@ from restitution.planning.routes.order import Solver
 from restitution.planning.unfinished import require_followed
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk, together
-from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.planning.writing.scene import Scene
 from restitution.problem import Value
 from restitution.solving.equations.solution import PartSolution, Solution
 
@@ -51,7 +51,7 @@ def write_idle_facts(
         draft = desk.fork()
         scene = Scene(problem, own, part, story, draft, find_frame=frame_at)
         try:
-            note = _holding_anyway(scene, given, names[0], "missing", reason)
+            note = _holding_anyway(scene, given.fact, names[0], "missing", reason)
         except (*UNPLANNED, RestitutionError):
             continue
         if note is not None:
@@ -87,33 +87,42 @@ def with_facts_that_agree(solution: Solution, desk: Desk, spare: Iterable[Fact])
         draft = desk.fork()
         draft.part = part.part.label
         scene = Scene(problem, part.part, part, story, draft, find_frame=frame_at)
-        for given in (equation for equation in scene.given if equation.fact.id == fact.id):
-            if given.link.sign != "=" or not any(map(has_quantity, trees_of(fact.relation))):
-                continue
-            with suppress(*UNPLANNED, RestitutionError):
-                note = _holding_anyway(scene, given, name, "agreeing")
-                if note is not None:
-                    order = [end.item for end in draft.ends]
-                    draft.notes.append(replace(note, place=order.index(name)))
-                    desk = draft
+        if not _is_compared(fact):
+            continue
+        with suppress(*UNPLANNED, RestitutionError):
+            note = _holding_anyway(scene, fact, name, "agreeing")
+            if note is not None:
+                order = [end.item for end in draft.ends]
+                draft.notes.append(replace(note, place=order.index(name)))
+                desk = draft
     return desk
 
 
 def _holding_anyway(
-    scene: Scene, given: GivenEquation, name: str, kind: NoteKind, reason: str = ""
+    scene: Scene, fact: Fact, name: str, kind: NoteKind, reason: str = ""
 ) -> Note | None:
     """The lines of the quantity in a fact, where they agree with it; None where they do not."""
     desk = scene.desk
-    desk.item, desk.withheld = name, frozenset({given.fact.id})
+    desk.item, desk.withheld = name, frozenset({fact.id})
     start = len(desk.lines)
-    refs: tuple[Ref, ...] = together(write_worths(scene, Solver(scene), given.fact.relation))
+    refs: tuple[Ref, ...] = together(write_worths(scene, Solver(scene), fact.relation))
     desk.withheld = frozenset()
     if not any(isinstance(ref, int) for ref in refs):
         return None
     require_true(scene.model, desk.lines[start:], desk.lines, desk.facts)
     require_followed(scene, desk.lines[start:])
-    note = desk.new_note(name, kind, reason, premises=(*refs, given.fact.id))
+    note = desk.new_note(name, kind, reason, premises=(*refs, fact.id))
     return note if scene.judge.holds_anyway(note) else None
+
+
+def _is_compared(fact: Fact) -> bool:
+    """Whether a fact compares quantities: others tell a direction, or what happens."""
+    links = [link for links in fact.relation.options for link in links]
+    return (
+        len(links) == 1
+        and links[0].sign in ("=", "<", "<=", ">", ">=")
+        and any(map(has_quantity, trees_of(fact.relation)))
+    )
 
 
 __all__ = ["with_facts_that_agree", "write_idle_facts"]

@@ -27,8 +27,8 @@ def unused_facts(
     for note in derivation.notes:
         for ref in note.premises:
             used.setdefault(note.part, set()).update(under(ref))
-    # Where an item has no working, the facts that it would use may stand idle.
-    idle = {e.part for e in derivation.notes if not e.premises or e.kind == "unwritten"}
+    # Where an item has no working, or no answer, the facts that it would use may stand idle.
+    idle = {e.part for e in derivation.notes if not e.premises or e.kind in _WITHOUT_AN_ANSWER}
     every = set().union(*used.values()) if used else set()
     for fact in given:
         if fact.part in idle or (fact.part is None and idle):
@@ -96,6 +96,8 @@ def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
             pending.extend(case.line for case in derivation.cases if own in case.lines)
     return refs
 
+
+_WITHOUT_AN_ANSWER = frozenset({"unwritten", "impossible", "contradiction"})
 
 # Notes that stand where the data have a solution.
 _OF_A_SOLUTION = frozenset({"standing", "refuted", "undecided", "agreeing"})

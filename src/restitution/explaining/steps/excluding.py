@@ -7,6 +7,7 @@ import sympy as sp
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines.derivation import Link, Meaning, Note, Relation
+from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.explaining.lines.trees import of_relation
 from restitution.explaining.steps.step import Step
@@ -55,9 +56,21 @@ def holds_anyway(step: Step) -> bool:
             gaps = [others.residual(link, others.rules()) for link in relation.only]
         except NotComparableError:
             continue
-        plain = [gap for gap in gaps if not isinstance(gap, Plane) and gap.vanishes]
-        if len(plain) == len(gaps) and all(link.sign == "=" for link in relation.only):
+        if all(_holds(others, link, gap) for link, gap in zip(relation.only, gaps, strict=True)):
             return True
+    return False
+
+
+def _holds(step: Step, link: Link, gap: Value) -> bool:
+    """Whether a relation holds by the difference of its sides, with all values put in."""
+    if isinstance(gap, Plane):
+        return False
+    match link.sign:
+        case "=":
+            return gap.vanishes
+        case "<" | "<=" | ">" | ">=":
+            sign = step.signs.of(gap)
+            return sign == (-1 if link.sign in ("<", "<=") else 1)
     return False
 
 

@@ -160,8 +160,14 @@ def _is_about(scene: Scene, ref: int, quantity: Expression) -> bool:
 def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
     """That spheres approach each other, of which one has an open component at the start.
 
-    With it where they are then, and the lines under this one that tie the components.
+    With it where they are then, and the lines under this one that tie the components. The component
+    may be a letter of the data.
     """
+    for number in scene.model.frames:
+        if f"approach {number}" in scene.facts:
+            moving = (f"velocity {body}" for body in scene.spheres(number))
+            start = (ref for ref in moving if ref in scene.facts)
+            yield (f"approach {number}", *start, *scene.frame(number).refs)
     lets = [
         line.number
         for line in scene.desk.lines

@@ -79,7 +79,7 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import is_factored_quadratic
+from restitution.planning.writing.polynomials import expanded, is_factored_quadratic
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
@@ -395,9 +395,9 @@ def _closed(scene: Scene, equation: GivenEquation, own: Formula) -> int:
         relation = chain(own.of(left), (swept(own.right), None))
         if own.move.record in _LOSSES and not has_root(own.value):
             right, final = swept(own.right), tree_of(own.value)
-            steps = (*terms_between(scene, right, final), final)
             if left != ZERO and is_factored_quadratic(own.value, scene.unknown(own.value)):
-                steps = ()  # they are no roots, and are multiplied out below
+                final = tree_of(expanded(own.value))  # the factors are no roots
+            steps = (*terms_between(scene, right, final), final)
             worth = chain(own.of(left), (right, None), *((step, "rearrange") for step in steps))
             premises = together(equation.refs, refs, own.refs)
             if scene.judge.follows(own.move, premises, worth):

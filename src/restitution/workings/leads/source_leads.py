@@ -69,6 +69,8 @@ class SourceLeads(LinesAround):
                 return say("given.most")
             if kind not in ("within", "approach", "offset"):
                 continue
+            if line.move.id == "reject":
+                continue  # it is the reason, which stands behind what remains
             event = self._naming.events[int(number)]
             one, other = event.bodies
             if kind == "offset":

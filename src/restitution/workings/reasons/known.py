@@ -270,6 +270,10 @@ class Known:
             if self._naming.bodies.get(wall) == "sphere":
                 return say("touch.towards", one=body, other=wall)
             return root_on_a_rim(self._derivation, self._naming, line, int(number))
+        if line.move.id == "reject" and kind == "approach":
+            one, other = self._naming.events[int(number)].bodies
+            spheres = self._naming.bodies.get(other) == "sphere"
+            return say("derived.approach" if spheres else "derived.comes", one=one, other=other)
         if line.move.id == "reject" and kind == "velocity":
             return pushed_away(self._derivation, self._naming, line, fact)
         if line.move.id == "reject" and signs & BEARINGS:

@@ -177,6 +177,8 @@ SENTENCES: Mapping[str, str] = {
     ),
     "touch.comes": "{one} comes towards {other} in the direction of {axis}",
     "touch.gains": "{one} gains on {other} in the direction of {axis}",
+    "derived.approach": "{one} and {other} approach each other before they collide",
+    "derived.comes": "{one} moves towards {other} before it hits it",
     "touch.towards": "{one} and {other} are approaching then",
     "touch.wall": (
         "At the impact with {wall} the centre of {body} is {radius} from {wall}, so its "
