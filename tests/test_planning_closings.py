@@ -196,6 +196,46 @@ find velocity(A)
             "which agrees with this",
         ),
     ),
+    "twice an angle of the data, after an impact": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given tan(alpha) = 1/2, angle(velocity(A), line_of_centres) = 2alpha
+find e
+""",
+        ("tan 2α = 2 tan α/(1 − tan²α) = (2 × ½)/(1 − (1/2)²) = 4/3", "e = ¼"),
+    ),
+    "half of an angle of the data, at a wall": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given angle(velocity(P), W) = alpha/2, cos(alpha) = 3/5
+find e
+""",
+        ("tan(α/2) = sin α/(1 + cos α) = (4/5)/(1 + ⅗) = ½", "½ = 4e/3", "e = ⅜"),
+    ),
+    "a component of an impulse": (
+        """
+wall W: along 3i + 4j
+sphere P: mass 2, velocity 5i
+P hits W: e = 1/2
+find along(impulse(P), 4i - 3j)
+""",
+        ("= (−(48/5)𝐢 + (36/5)𝐣)", "−(48/5) × ⅘ − (36/5) × ⅗ = −12"),
+    ),
+    "a letter for a ratio of tangents of angles that have letters": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/4
+let beta = angle(velocity(A), line_of_centres)
+let k = tan(beta)/tan(alpha)
+find k
+""",
+        ("tan β = u sin α/(⅙u cos α) = 6 tan α", "k = (6 tan α)/tan α = 6"),
+    ),
     "the sum of two speeds, with an angle": (
         """
 sphere A: mass m, velocity u at alpha

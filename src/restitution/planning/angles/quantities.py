@@ -13,6 +13,7 @@ from restitution.planning.formulas.angle_formulas import (
     direction_formula,
     product_formula,
 )
+from restitution.planning.formulas.components_of_impulses import any_component_formula
 from restitution.planning.formulas.definitions import Formula, formula_of_line
 from restitution.planning.formulas.energy_formulas import (
     energy_formula,
@@ -22,7 +23,6 @@ from restitution.planning.formulas.energy_formulas import (
 from restitution.planning.formulas.impulse_formulas import impulse_formula
 from restitution.planning.formulas.momentum_formulas import momentum_formula
 from restitution.planning.formulas.velocity_formulas import (
-    component_formula,
     speed_formula,
     velocity_formula,
 )
@@ -50,8 +50,8 @@ def _of_journey(scene: Scene, quantity: Quantity) -> Formula:
 _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "velocity": velocity_formula,
     "speed": speed_formula,
-    "along": component_formula,
-    "across": component_formula,
+    "along": any_component_formula,
+    "across": any_component_formula,
     "angle": angle_formula,
     "direction": direction_formula,
     "deflection": deflection_formula,

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     has_quantity,
     is_binary,
     is_function,
@@ -118,8 +119,20 @@ def _open_trees(link: Link) -> Iterable[Expression]:
         if isinstance(tree, Letter) or is_ratio(tree):
             seen[tree] = None
         else:
+            if _is_of_a_multiple(tree):
+                seen[tree] = None
             pending += _parts(tree)
     return seen
+
+
+def _is_of_a_multiple(tree: Expression) -> bool:
+    """Whether a tree is a ratio of a multiple of a letter, or of half of it."""
+    match tree:
+        case Apply(
+            "sin" | "cos" | "tan", Binary("*", Number(), Letter()) | Binary("/", Letter(), Number())
+        ):
+            return True
+    return False
 
 
 def _parts(tree: Expression) -> list[Expression]:
@@ -152,6 +165,11 @@ def _replaced(tree: Expression, values: Mapping[Expression, Expression]) -> Expr
 
 def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Source | None:
     match tree:
+        case Apply("sin" | "cos" | "tan" as kind, Binary() as multiple) if _is_of_a_multiple(tree):
+            if symbol is not None and symbol.name in letters(multiple):
+                return None
+            value, refs = scene.put(getattr(sp, kind)(scene.scalar(multiple)))
+            return Source(value, refs) if refs and value.is_number else None
         case Letter(name) if symbol is None or name != symbol.name:
             known = scene.desk.known(tree)
             if known is None or isinstance(known.value, tuple):

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from restitution.explaining.lines.derivation import Fact, Move
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Expression, Letter, has_quantity
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.writing.desk import NotPlannedError, chain, together
@@ -14,6 +17,7 @@ def end_named_expression(
     scene: Scene, asked: Letter, fact: Fact, expression: Expression, name: str
 ) -> None:
     """A letter by which the statement calls an expression: what that is worth."""
+    expression = rebuilt(expression, partial(_in_quantities, scene))
     known = scene.desk.known(expression)
     if known is not None:
         value, refs = scene.put(known.value)
@@ -30,6 +34,12 @@ def end_named_expression(
     if premises is None:
         raise NotPlannedError("a letter for an expression of quantities")
     scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
+
+
+def _in_quantities(scene: Scene, tree: Expression) -> Expression:
+    """A letter by which the statement calls a quantity of the motion, as that."""
+    fact = scene.facts.get(f"let {tree.name}") if isinstance(tree, Letter) else None
+    return tree if fact is None else fact.relation.only[0].left
 
 
 def _is_ended_by(scene: Scene, asked: Letter, fact: Fact, line: int, name: str) -> bool:

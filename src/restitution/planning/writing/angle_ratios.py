@@ -182,26 +182,67 @@ def ratio_of_degrees(scene: Angles, asked: Apply) -> Source | None:
     return scene.desk.know(asked, value, (number,))
 
 
-def ratio_of_a_double(scene: Angles, ratio: sp.Expr) -> Source | None:
-    """The sine, cosine or tangent of twice an angle of which a ratio is known as a number.
+def ratio_of_a_multiple(scene: Angles, ratio: sp.Expr) -> Source | None:
+    """The sine, cosine or tangent of twice an angle, or the tangent of half, with a known ratio.
 
-    Sine and cosine are written in one place.
+    What is known is a number, and so is what comes of it. Sine and cosine are written in one place.
     """
     count, symbol = ratio.args[0].as_coeff_Mul()
-    if count != 2 or not symbol.is_Symbol or symbol not in scene.model.final:
+    if count not in _MULTIPLES or not symbol.is_Symbol or symbol not in scene.model.final:
         return None
     if (scene.model.final[symbol] / sp.pi).is_Rational:
         return None
-    name, double = type(ratio).__name__, product(TWO, Letter(symbol.name))
-    known = scene.desk.known(Apply(name, double))
+    name, angle = type(ratio).__name__, _multiple(count, symbol)
+    known = scene.desk.known(Apply(name, angle))
     if known is not None:
         return known
-    for own in ("tan",) if name == "tan" else ("sin", "cos"):
-        _write_double(scene, own, Letter(symbol.name))
-    return scene.desk.known(Apply(name, double))
+    if count == _HALF:
+        if name == "tan":
+            _write_half(scene, Letter(symbol.name), angle)
+        return scene.desk.known(Apply(name, angle))
+    if count > _TWICE:
+        for own in (sp.tan,) if name == "tan" else (sp.sin, sp.cos):
+            if ratio_of_a_multiple(scene, own(count * symbol / 2)) is None:
+                return None
+    for other in ("tan",) if name == "tan" else ("sin", "cos"):
+        _write_double(scene, other, _multiple(count / 2, symbol), angle)
+    return scene.desk.known(Apply(name, angle))
 
 
-def _write_double(scene: Angles, name: str, letter: Letter) -> None:
+_TWICE, _HALF = sp.Integer(2), sp.Rational(1, 2)
+_MULTIPLES = (_HALF, _TWICE, 2 * _TWICE)
+
+
+def _multiple(count: sp.Rational, symbol: sp.Symbol) -> Expression:
+    """So many times an angle, as a line has it: α, 2α, α/2."""
+    letter = Letter(symbol.name)
+    if count == _HALF:
+        return Binary("/", letter, TWO)
+    return letter if count == 1 else product(tree_of(count), letter)
+
+
+def _write_half(scene: Angles, letter: Letter, half: Expression) -> None:
+    """The tangent of half an angle by its sine and cosine: tan ½α = sin α/(1 + cos α)."""
+    symbol = scene.model.unknowns.letter(letter.name)
+    ratios = {own: Apply(own, letter) for own in ("sin", "cos")}
+    sources = {own: scene.put(getattr(sp, own)(symbol)) for own in ratios}
+    if any(not refs or not value.is_Rational for value, refs in sources.values()):
+        return
+    numbers = {own: tree_of(value) for own, (value, _) in sources.items()}
+    by_letter, by_number = (
+        Binary("/", trees["sin"], total((ONE, trees["cos"]))) for trees in (ratios, numbers)
+    )
+    value = tidy(scene.scalar(by_number))
+    asked = Apply("tan", half)
+    relation = chain(asked, (by_letter, None), (by_number, "put"), (tree_of(value), "rearrange"))
+    refs = dict.fromkeys(ref for _, own in sources.values() for ref in own)
+    pool = (*refs, range_of(scene, letter.name))
+    number = scene.judge.write((Move("identity", "half-angle"),), pool, relation)
+    if number is not None:
+        scene.desk.know(asked, value, (number,))
+
+
+def _write_double(scene: Angles, name: str, letter: Expression, double: Expression) -> None:
     """The line of a ratio of twice an angle, by the tangent of that or by its sine and cosine."""
     ratios = {own: Apply(own, letter) for own in ("sin", "cos", "tan")}
     known = {own: scene.desk.known(tree) for own, tree in ratios.items()}
@@ -216,7 +257,7 @@ def _write_double(scene: Angles, name: str, letter: Letter) -> None:
     if not by_both:
         by_letter = _of_a_double(name, {"tan": ratios["tan"]})
     final = tree_of(tidy(scene.scalar(by_number)))
-    asked = Apply(name, product(TWO, letter))
+    asked = Apply(name, double)
     relation = chain(asked, (by_letter, None), (by_number, "put"), (final, "rearrange"))
     refs = dict.fromkeys(ref for source in sources.values() for ref in source.refs)
     number = scene.judge.write((Move("identity", "double-angle"),), refs, relation)

@@ -32,7 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.angle_ratios import (
     RECIPROCALS,
-    ratio_of_a_double,
+    ratio_of_a_multiple,
     write_complement,
     write_other_ratio,
     write_ratios,
@@ -427,7 +427,7 @@ class Scene:
         """The number that a sine, cosine or tangent is by the data, written down when wanted."""
         (argument,) = ratio.args
         if not argument.is_Symbol:
-            return ratio_of_a_double(self, ratio)
+            return ratio_of_a_multiple(self, ratio)
         if self._is_basic(argument) and self._ratio_fact(argument) is None:
             return None
         tree = Apply(type(ratio).__name__, plain_letter(argument.name))
