@@ -713,6 +713,30 @@ find direction(P)
 7 a | value | 6 | direction(P, 1) ≈ 35.6°
 a: 7 direction(P, 1) ≈ 35.6°
 """,
+    "speeds-for-an-angle": """
+sphere A: mass 3, velocity 3i + 2j
+sphere B: mass 2, velocity -3i - 2j
+A hits B: along i, e = 2/3
+find dot(velocity(A), velocity(B)), angle(velocity(A), velocity(B))
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = 2
+4 a | law unchanged 1 B | velocity B, axis 1 | s(B, 1) = -2
+5 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | 3*3+2(-3)=3v+2w
+6 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 2/3(3 + 3)
+7 a | combine w | 5, 6 | v = -1
+8 a | put | 6, 7 | w = 3
+9 a | define assemble 1 A | axis 1, 1, 7, 3 | velocity(A, 1) = -i + 2j
+10 a | define assemble 1 B | axis 1, 2, 8, 4 | velocity(B, 1) = 3i - 2j
+11 a | define product 1 A B | 9, 10 | dot(velocity(A, 1), velocity(B, 1)) = -3 - 2*2
+12 b | define speed 1 A | 1, 7, 3 | speed(A, 1) = sqrt(1^2 + 2^2) = sqrt(5) [rearrange]
+13 b | define speed 1 B | 2, 8, 4 | speed(B, 1) = sqrt(3^2 + 2^2) = sqrt(13) [rearrange]
+14 b | let | | let beta = angle(velocity(A, 1), velocity(B, 1))
+15 b | define scalar-angle 1 A B | 11, 12, 13, 14 | cos(beta) = -7/(sqrt(5)sqrt(13))
+a: 11 dot(velocity(A, 1), velocity(B, 1)) = -3 - 2*2
+b: 15 cos(beta) = -7/(sqrt(5)sqrt(13))
+""",
     "same-angle": """
 sphere A: mass m, velocity 4 at alpha
 sphere B: mass m, at rest
@@ -792,6 +816,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("velocity-by-size-and-direction", "to-a-point", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("speed-size-angle-distance", "both-moving", 11, "M1 A1", "M1 A1", "M1 A1"),
     ("distance-at-another-time", "two-times", 7, "A1", "A1", "A1"),
+    ("for-an-angle", "speeds-for-an-angle", 13, "", "", ""),
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),

@@ -110,4 +110,4 @@ def test_a_coefficient_in_letters_is_worked_out() -> None:
     assert (
         "e = (4 + 3k)/k > 1 is impossible, as a coefficient of restitution is at most 1." in shown
     )
-    assert "So no value of e is possible." in shown
+    assert "So no value of e is possible: what is given cannot occur." in shown

@@ -66,7 +66,8 @@ def test_a_coefficient_that_is_too_large_is_worked_out() -> None:
     assert list(derivation.asked) == ["1", "2"]
     told = printed(solution)
     reason = "e = 3/2 is impossible, as a coefficient of restitution is at most 1."
-    assert f"{reason} So no value of e is possible. A1 What follows does not rest on e." in told
+    shown = f"{reason} So no value of e is possible: what is given cannot occur. A1"
+    assert f"{shown} What follows is implied by what is given all the same, without e." in told
     assert "𝐯_A = (𝐢 + 3𝐣) m s⁻¹" in told
 
 
@@ -86,8 +87,8 @@ def test_what_rests_on_an_impossible_coefficient_names_it() -> None:
     assert [each.item for each in derivation.notes] == ["1", "2"]
     assert (
         "e = 3√6/2 is impossible, as a coefficient of restitution is at most 1. So no value of e "
-        "is possible. A1 The speed of P immediately after the impact with V cannot be found "
-        "either, as there is no such impact."
+        "is possible: what is given cannot occur. A1 The speed of P immediately after the impact "
+        "with V cannot be found either, as there is no such impact."
     ) in printed(solution)
 
 

@@ -49,6 +49,7 @@ from restitution.workings.leads.sides import Sides
 from restitution.workings.leads.staying import Staying
 from restitution.workings.leads.titles import TITLED
 from restitution.workings.leads.touching import Touching
+from restitution.workings.leads.unit_vectors import UnitVectors
 from restitution.workings.lines_together import (
     before_their_line,
     first_under_its_heading,
@@ -175,6 +176,7 @@ class _Writer:
         self.notes = Notes(derivation, self.naming, self.ends, self.rows.in_figures)
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
+        self.units = UnitVectors(derivation, self.naming)
         self.staying = Staying(
             derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
         )
@@ -318,7 +320,11 @@ class _Writer:
             self.afresh()
             meeting = (self.meetings[line.number],)
             yield Step("note", sentences=meeting, item=self.ends.place(line))
-        touching = (*self.radii.before(line), *self.sides.before(line))
+        touching = (
+            *self.radii.before(line),
+            *self.sides.before(line),
+            *self.units.before(line),
+        )
         if touching:
             self.afresh()
             yield Step("setting", sentences=touching)

@@ -611,6 +611,12 @@ def _of_an_impulse(work: Work, line: Line) -> bool:
     )
 
 
+def _for_an_angle(work: Work, line: Line) -> bool:
+    """A speed of which only the cosine of an angle is made, by a scalar product."""
+    users = [other for other in work.derivation.lines if line.number in other.premises]
+    return bool(users) and all(other.move.record == "scalar-angle" for other in users)
+
+
 CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "repeated": _repeated,
     "sought": _sought,
@@ -644,6 +650,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "an-angle-for-another": _is_another_angle,
     "an-angle-to-a-line": _an_angle_to_a_line,
     "of-one-term": _of_one_term,
+    "for-an-angle": _for_an_angle,
     "another-assembled": _another_assembled,
     "asked": lambda work, line: (
         subject_of(line) in [end.answer.options[0][0].left for end in work.derivation.items]

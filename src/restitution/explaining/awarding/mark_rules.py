@@ -133,6 +133,7 @@ RULES: tuple[Rule, ...] = (
     _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
     _rule("given-speed", ("define",), "M", ("speed", "size"), ("of-one-term", "an-equation")),
     _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
+    _rule("for-an-angle", ("define",), "", ("speed", "size"), ("on-the-way", "for-an-angle")),
     _rule(
         "another-that-is-asked",  # its end has the A
         ("define",),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from restitution.explaining.data.offset_angles import named_angles
 from restitution.explaining.lines.derivation import BEARINGS, Link, Relation, Sign
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
@@ -17,6 +18,7 @@ from restitution.explaining.moves.bases import (
     from_base,
     matches,
     others_cited,
+    with_base,
     without_angles,
 )
 from restitution.explaining.steps.rules import Rules
@@ -45,6 +47,11 @@ def is_put(step: Step, line: Link) -> bool:
         return False
     if step.move.id == "fact" and line.sign in BEARINGS:
         return line in base.only  # a direction is printed as it is given
+    if step.move.id == "fact":
+        for meaning, own in named_angles(step.lets, step.links, step.setting):
+            if own.axis == line.left:
+                # The angle that the offset gives has a letter.
+                return is_put(with_base(step, (Link(own.axis, "=", own.at(meaning.letter)),)), line)
     if _is_in_letters(step, line, base):
         return True
     rules = step.rules(others_cited(step))

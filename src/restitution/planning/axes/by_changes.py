@@ -169,10 +169,11 @@ def _by_change(scene: Scene, number: int) -> int | None:
 def _by_its_impulse(scene: Scene, number: int, body: str) -> int | None:
     """The impulse on a body that is asked, and the line along it: its change is found once.
 
-    None where the impulse is not asked, or the mass is open.
+    None where neither it nor its size is asked, or the mass is open.
     """
     impulse = Quantity("impulse", (Name(body),), number)
-    if impulse not in scene.asked_alone or scene.unknown(scene.mass(body).value):
+    size = Quantity("impulse", (), number)
+    if not {impulse, size} & set(scene.asked_alone) or scene.unknown(scene.mass(body).value):
         return None
     own = impulse_formula(scene, impulse)
     line = write_formula(scene, own)
@@ -363,6 +364,12 @@ def write_axis(scene: Scene, number: int) -> int:
     if (turned := _turned_from_the_path(scene, link.right)) is not None:
         relation = chain(centres, (turned, None), (final, "rearrange"))
     premises = together((fact.id,), refs)
+    frame = scene.model.frames[number]
+    if frame.angle is not None:
+        # By its angle with the path: the letter of that has its meaning in a line.
+        turned = tree_of(tuple(frame.n))
+        relation = chain(centres, (turned, None), (final, "put"))
+        premises = together(premises, scene.frame(number).refs)
     names = {symbol.name for x in own for symbol in sp.sympify(x, strict=True).free_symbols}
     enough = scene.judge.enough(move, premises, relation, background(scene, names))
     return scene.desk.write(move, premises if enough is None else enough, relation)

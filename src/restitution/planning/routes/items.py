@@ -614,9 +614,14 @@ def _axis(scene: Scene, number: int, name: str) -> None:
     if (sides := write_sides(scene, number)) is not None:
         scene.desk.end(name, sides, scene.desk.relation(sides))
         return
-    lines = numbers_in(scene.frame(number).refs)
+    named = scene.model.frames[number].angle is not None
+    lines = () if named else numbers_in(scene.frame(number).refs)
     line = lines[0] if lines else write_axis(scene, number)
-    scene.desk.end(name, line, scene.desk.relation(line))
+    relation = scene.desk.relation(line)
+    if named:
+        axis = Quantity("line_of_centres", (), number)
+        relation = Relation(((replace(relation.only[-1], left=axis, by=None),),))
+    scene.desk.end(name, line, relation)
 
 
 def in_a_frame(scene: Scene, asked: Expression, *, write: bool = False) -> Expression:

@@ -43,6 +43,7 @@ from restitution.workings.leads.offsets import (
     angle_of_offset,
     is_offset,
     offset_sentence,
+    turned_sentence,
 )
 from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.leads.scalar_products import slope_title
@@ -105,8 +106,11 @@ class Leads(Titles):
         elif given and isinstance(words := fact_in_words(self._naming, given[0]), Sentence):
             yield say("given.fact", fact=words)
         elif (offset := next(filter(is_offset, given), None)) is not None:
+            assert isinstance(line.relation, Relation)
             # Once the offset is known, the same fact gives the line in numbers.
-            if offset.id in self._given:
+            if (turned := turned_sentence(offset, self._naming, line.relation)) is not None:
+                yield turned
+            elif offset.id in self._given:
                 yield self._of_a_known_offset(offset, line) or self._worked_out(offset, line)
             else:
                 yield offset_sentence(offset, self._naming, given=False)

@@ -62,15 +62,18 @@ class LinesAround:
     def tells_of_rest(self, body: str, stage: int, place: Event | Line) -> bool:
         """Whether it is here that a body is said to have been at rest before an impact.
 
-        Lines that follow each other have one title.
+        Lines of one kind that follow each other have one title.
         """
         if not went_from_rest(self._derivation, self._naming, body, stage):
             return False
         places = self._off.setdefault((body, stage), [place])
         above = places[-1]
         if isinstance(place, Line) and isinstance(above, Line):
-            parts = [self._derivation.asked.get(own.item or "") for own in (above, place)]
-            if above.number == place.number - 1 and parts[0] == parts[1]:
+            kinds = [
+                (self._derivation.asked.get(own.item or ""), own.move.record, own.move.event)
+                for own in (above, place)
+            ]
+            if above.number == place.number - 1 and kinds[0] == kinds[1]:
                 places.append(place)
         return place in places
 

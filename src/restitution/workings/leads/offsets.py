@@ -8,9 +8,18 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Fact, Link
+from restitution.explaining.lines.derivation import Fact, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Polar, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Polar,
+    Quantity,
+    walk,
+)
 from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.wording.scene import is_mirrored, scene_of
@@ -101,6 +110,32 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None 
     return say("offset.degrees", angle=naming.layout(tree_of(angle, angle=True)), **slots)
 
 
+def turned_sentence(fact: Fact, naming: Naming, relation: Relation) -> Sentence | None:
+    """How a line of centres stands to the path, where its unit vector has a letter for the angle.
+
+    None where it has none.
+    """
+    match fact.relation.only[0].right, relation.only:
+        case Polar(_, Apply(_, Binary("/", beside)), origin), (Link(_, "=", unit), _):
+            pass
+        case _:
+            return None
+    letters = [
+        node.argument
+        for node in walk(unit)
+        if isinstance(node, Apply) and isinstance(node.argument, Letter)
+    ]
+    if not letters:
+        return None
+    one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
+    return say(
+        "offset.turned",
+        letter=naming.layout(letters[0]),
+        path=_path(naming, one, other, origin),
+        side=say("offset.right" if isinstance(beside, Negate) else "offset.left"),
+    )
+
+
 def _length(naming: Naming, tree: Expression) -> lay.Layout:
     """A length with its unit, where numbers of the statement fix the scale."""
     return with_unit(naming.layout(tree), naming.unit(Quantity("distance", ())))
@@ -125,4 +160,4 @@ def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Se
     return say("offset.path", body=one)
 
 
-__all__ = ["angle_of_offset", "is_offset", "offset_sentence"]
+__all__ = ["angle_of_offset", "is_offset", "offset_sentence", "turned_sentence"]

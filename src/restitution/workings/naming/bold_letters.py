@@ -18,6 +18,7 @@ from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.paths_and_lines import turn_of_line, turn_of_path
 from restitution.explaining.following.trials import on_either_side
+from restitution.explaining.lines.angles import INVERSE
 from restitution.explaining.lines.derivation import (
     Derivation,
     Event,
@@ -358,6 +359,10 @@ class BoldLetters:
             return None
         return self._units.get((number, "along"))
 
+    def has_letter(self, number: int) -> bool:
+        """Whether the unit vector along the line of an event has its letter already."""
+        return (number, "along") in self._units
+
     def leads_into(self, event: Event) -> bool:
         """Whether the axis at a wall is certain to be the direction into it.
 
@@ -497,6 +502,9 @@ def direction_of_event(derivation: Derivation, number: int) -> Vector | None:
     if any(e.move.record == "chord" and e.move.event == number for e in derivation.lines):
         return None  # components on a chord are known before that direction is
     axis = Quantity("line_of_centres", (), number)
+    beside = _beside_a_path(derivation, axis)
+    if beside is not None:
+        return beside  # with the letter for the angle, which is known only later
     # Components are taken in the sense of the line that they cite, or of the last above them;
     # below them it may stand again, with a letter put in that was sought.
     apart = {own for case in derivation.cases for own in case.lines}
@@ -520,18 +528,19 @@ def direction_of_event(derivation: Derivation, number: int) -> Vector | None:
                 direction = direction_in_numbers(value.relation.only[-1].right)
                 if direction is not None:
                     return direction
-    return _beside_i(derivation, axis) or _beside_a_path(derivation, axis)
+    return _beside_i(derivation, axis)
 
 
 def _beside_a_path(derivation: Derivation, axis: Quantity) -> Vector | None:
     """The direction of a line of centres by the letter for its angle with a path.
 
-    None where no velocity is put together in it.
+    None where no velocity is put together in it, and no line has it as a vector.
     """
-    letter = next(filter(None, map(letter_of_offset, derivation.lines)), None)
+    in_the_line = _letter_in_the_line(derivation, axis)
+    letter = in_the_line or next(filter(None, map(letter_of_offset, derivation.lines)), None)
     fact = derivation.fact(" ".join(("axis", str(axis.stage))))
-    put_together = any(
-        line.move.record == "assemble" and line.move.event == axis.stage
+    put_together = in_the_line is not None or any(
+        line.move.record in ("assemble", "changed-velocity") and line.move.event == axis.stage
         for line in derivation.lines
     )
     match fact and fact.relation.only[0].right:
@@ -543,6 +552,17 @@ def _beside_a_path(derivation: Derivation, axis: Quantity) -> Vector | None:
     own = own / sp.sqrt(tidy(sp.expand(own.dot(own))))
     side = -own.turned_left() if isinstance(beside, Negate) else own.turned_left()
     return Vector(*(tidy(x * sp.cos(angle) + y * sp.sin(angle)) for x, y in zip(own, side)))
+
+
+def _letter_in_the_line(derivation: Derivation, axis: Quantity) -> str | None:
+    """The letter for the angle with a path by which a line has the unit vector of an axis."""
+    for line in derivation.lines:
+        match line.relation:
+            case Relation(((Link(left, "=", unit), Link()),)) if left == axis:
+                for node in walk(unit):
+                    if isinstance(node, Apply) and isinstance(node.argument, Letter):
+                        return node.argument.name
+    return None
 
 
 def _gives(line: Line, axis: Quantity) -> bool:
@@ -575,8 +595,12 @@ def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:
 def direction_in_numbers(tree: Expression) -> Vector | None:
     """A direction with both components, in numbers or of length 1; None of any other."""
     nodes = list(walk(tree))
-    if all(isinstance(node, Degrees | Number | Letter | Negate | Binary) for node in nodes):
-        return _at(tree) if any(isinstance(node, Degrees | Letter) for node in nodes) else None
+    if all(
+        isinstance(node, Degrees | Number | Letter | Negate | Binary) or _is_inverse(node)
+        for node in nodes
+    ):
+        is_turn = any(isinstance(node, Degrees | Letter) or _is_inverse(node) for node in nodes)
+        return _at(tree) if is_turn else None
     if not any(isinstance(node, Unit | Pair) for node in nodes):
         return None
     if any(isinstance(node, Quantity | Polar | Degrees) for node in nodes):
@@ -589,6 +613,15 @@ def direction_in_numbers(tree: Expression) -> Vector | None:
         return None
     size = sp.sqrt(tidy(sp.expand(value.dot(value))))
     return Vector(*(tidy(component / size) for component in value))
+
+
+def _is_inverse(tree: Expression) -> bool:
+    """Whether an angle is told by a ratio in numbers."""
+    match tree:
+        case Apply(function, argument):
+            numbers = all(isinstance(node, Number | Negate | Binary) for node in walk(argument))
+            return function in INVERSE and numbers
+    return False
 
 
 def _at(tree: Expression) -> Vector | None:

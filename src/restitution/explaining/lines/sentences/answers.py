@@ -82,13 +82,13 @@ SENTENCES: Mapping[str, str] = {
     ),
     "note.above-one": (
         "{value} is impossible, as a coefficient of restitution is at most 1. So no value of "
-        "{letter} is possible."
+        "{letter} is possible: what is given cannot occur."
     ),
-    "note.goes-on": "What follows does not rest on {letter}.",
+    "note.goes-on": "What follows is implied by what is given all the same, without {letter}.",
     "note.rests-on": "What follows is implied by what is given all the same.",
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
-        "{letter} is possible."
+        "{letter} is possible: what is given cannot occur."
     ),
     "note.none-above-one": (
         "{items:capital} cannot be found, as {value} is impossible: a coefficient of restitution "

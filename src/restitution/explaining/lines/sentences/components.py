@@ -138,6 +138,11 @@ SENTENCES: Mapping[str, str] = {
     "units.across-circle": "Let {across} be the unit vector along the tangent to {wall}.",
     "units.along-normal": "Let {along} be a unit vector perpendicular to {wall}.",
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
+    "units.plain-spheres": (
+        "The unit vector along the line of centres, from {first} to {second}, is {unit}."
+    ),
+    "units.plain-normal": "A unit vector perpendicular to {wall} is {unit}.",
+    "units.plain-wall": "The unit vector perpendicular to {wall}, towards it, is {unit}.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
     "turned-velocity.title": "The velocity, from its magnitude and direction",
     "turned-velocity.why": (

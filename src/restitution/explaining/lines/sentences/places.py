@@ -27,6 +27,9 @@ SENTENCES: Mapping[str, str] = {
         "At the impact the centre of {other} is on {path}. So the line of centres is along that "
         "path:"
     ),
+    "offset.turned": (
+        "The line of centres makes the angle {letter} with {path}, to the {side} of it:"
+    ),
     "offset.sine-alone": (
         "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
         "So the angle between the line of centres and that path has sine {sine}."

@@ -1,0 +1,186 @@
+"""Workings in which all is introduced before it is used, and nothing is done or marked twice."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from workings import planned, printed_with
+
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
+from restitution.oracle import Oracle
+from restitution.solving.story.letters import roles
+from restitution.workings.derived import explanation_of
+from restitution.workings.rendering.document import to_text
+
+BY_AN_OFFSET = """
+sphere A, B: mass m, radius r
+sphere A: velocity u i
+sphere B: at rest
+A hits B: offset d, e = 1/2
+given speed(B) = 3/5 u
+find d, {item}
+"""
+TO_THE_RIGHT = """
+sphere A: mass 2m, velocity 3u j, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset -d, e = 1/3
+given speed(B) = 32u/15
+find line_of_centres, velocity(A)
+"""
+BY_DEGREES = """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along {angle}, e = 1/2
+find velocity(A)
+"""
+AT_A_WALL = """
+wall W: along {angle}
+sphere P: mass m, velocity u i
+P hits W: e = 1/2
+find velocity(P)
+"""
+FROM_REST = """
+wall W: along i
+sphere A: mass m, velocity 2u at 60° to W
+sphere B: mass m, at rest
+A hits B: along -60°, e = 1/2
+B hits W: e = 2/3
+find speed(B, 1), velocity(B, 2)
+"""
+TWO_SPEEDS = """
+sphere A: mass 3, velocity 3i + 2j
+sphere B: mass 2, velocity -3i - 2j
+A hits B: along i, e = 2/3
+find dot(velocity(A), velocity(B)), angle(velocity(A), velocity(B))
+"""
+ONE_CHANGE = """
+wall W
+sphere P: mass {mass}, velocity 4i - 3j
+P hits W
+given velocity(P) = -i - 2j
+find e, direction(W), impulse
+"""
+
+
+@pytest.mark.parametrize("item", ["velocity(A)", "velocity(A), direction(A)", "line_of_centres"])
+def test_a_unit_vector_has_its_angle_with_the_path(item: str) -> None:
+    """The letter for the angle is in it, as its sine and cosine are found further down."""
+    let = "Let 𝐧 = cos φ 𝐢 + sin φ 𝐣 be the unit vector along the line of centres."
+    parts = ["Let φ be the angle", let, "cos φ = ⅘ sin φ = ⅗"]
+    if "velocity" in item:
+        parts.append("𝐯_A = u𝐢 − (4u/5 − u/5)((4𝐢 + 3𝐣)/5)")
+    else:
+        parts.append(
+            "The line of centres makes the angle φ with the path of A, to the left of it: "
+            "unit vector along the line of centres = cos φ 𝐢 + sin φ 𝐣 = (4𝐢 + 3𝐣)/5"
+        )
+    printed_with(BY_AN_OFFSET.format(item=item), parts)
+
+
+def test_a_line_of_centres_to_the_right_of_a_path() -> None:
+    """Of a path along **j**: the follower refuses the sine and the cosine exchanged."""
+    printed_with(
+        TO_THE_RIGHT,
+        [
+            "Let 𝐧 = sin φ 𝐢 + cos φ 𝐣 be",
+            "makes the angle φ with the path of A, to the right of it:",
+            "= sin φ 𝐢 + cos φ 𝐣 = (3𝐢 + 4𝐣)/5",
+            "𝐯_A = 3u𝐣 − (12u/5 − 4u/3)((3𝐢 + 4𝐣)/5)",
+        ],
+    )
+    problem, derivation = planned(TO_THE_RIGHT)
+    (line,) = [
+        line
+        for line in derivation.lines
+        if line.move.id == "fact" and isinstance(line.relation, Relation)
+    ]
+    assert isinstance(line.relation, Relation)
+    text = write_relation(line.relation)
+    assert "sin(phi) i + cos(phi) j" in text
+    own = Oracle(roles(problem))
+    for wrong in ("cos(phi) i + sin(phi) j", "sin(phi) i - cos(phi) j"):
+        relation = read_relation(text.replace("sin(phi) i + cos(phi) j", wrong), {})
+        lines = tuple(replace(e, relation=relation) if e == line else e for e in derivation.lines)
+        assert [each.line for each in follow(replace(derivation, lines=lines), own)]
+
+
+@pytest.mark.parametrize(
+    ("angle", "unit"),
+    [
+        ("60°", "from A to B, is cos 60° 𝐢 + sin 60° 𝐣 = ½𝐢 + (√3/2)𝐣."),
+        ("-30°", "from A to B, is cos 30° 𝐢 − sin 30° 𝐣 = (√3/2)𝐢 − ½𝐣."),
+    ],
+)
+def test_a_unit_vector_in_degrees_is_introduced(angle: str, unit: str) -> None:
+    """Components are by the angle itself, so that no letter for the unit vector stands above."""
+    text = printed_with(
+        BY_DEGREES.format(angle=angle),
+        [unit, "The velocity changes along the line of centres only: 𝐯_A = u𝐢"],
+    )
+    assert text.count("unit vector") == 1
+
+
+def test_a_unit_vector_of_a_wall_in_degrees_is_introduced() -> None:
+    printed_with(
+        AT_A_WALL.format(angle="30°"),
+        [
+            "perpendicular to W, towards it, is sin 30° 𝐢 − cos 30° 𝐣 = ½𝐢 − (√3/2)𝐣.",
+            "The velocity changes perpendicular to W only:",
+        ],
+    )
+
+
+@pytest.mark.parametrize(
+    ("statement", "unit", "component"),
+    [
+        (BY_DEGREES.format(angle="arctan(3/4)"), "𝐧 = (4𝐢 + 3𝐣)/5 be", "𝐮_A · 𝐧 = 4u/5"),
+        (BY_DEGREES.format(angle="-arcsin(5/13)"), "𝐧 = (12𝐢 − 5𝐣)/13 be", "𝐮_A · 𝐧 = 12u/13"),
+        (AT_A_WALL.format(angle="arctan(3/4)"), "𝐧 = (3𝐢 − 4𝐣)/5 be", "𝐮_P · 𝐧 = 3u/5"),
+    ],
+)
+def test_a_direction_by_a_ratio_has_a_unit_vector(
+    statement: str, unit: str, component: str
+) -> None:
+    printed_with(statement, [unit, component, "only:"])
+
+
+def test_that_a_sphere_was_at_rest_is_said_once() -> None:
+    """Its speed is the item above, and its components at the wall come next."""
+    text = printed_with(
+        FROM_REST,
+        [
+            "B was at rest, so it moves along the line of centres: speed of B = 3u/2",
+            "B moves at 60° to W. Components before the impact:",
+        ],
+    )
+    assert text.count("at rest") == 1
+
+
+def test_speeds_for_a_scalar_product_have_no_marks_of_their_own() -> None:
+    problem, derivation = planned(TWO_SPEEDS)
+    text = " ".join(to_text(explanation_of(awarded(derivation), problem)).split())
+    assert "speed of A = √(1² + 2²) = √5 m s⁻¹ speed of B = √(3² + 2²) = √13 m s⁻¹ Let β" in text
+    assert "cos β = −7/(√5√13) = −7√65/65 M1 A1" in text
+    # Where a speed is asked, it is a method; so is one on the way to an energy.
+    problem, derivation = planned(TWO_SPEEDS.replace("find dot", "find speed(A), dot"))
+    text = " ".join(to_text(explanation_of(awarded(derivation), problem)).split())
+    assert "speed of A = √(1² + 2²) = √5 ≈ 2.24 m s⁻¹ M1 A1" in text
+
+
+@pytest.mark.parametrize(("mass", "impulse"), [("1", "−5𝐢 + 𝐣"), ("3", "−15𝐢 + 3𝐣")])
+def test_a_change_of_velocity_is_worked_out_once(mass: str, impulse: str) -> None:
+    """The size of the impulse is asked: the normal is along the impulse."""
+    text = printed_with(
+        ONE_CHANGE.format(mass=mass),
+        [
+            f"= ({impulse}) N s",
+            f"the normal to W is parallel to {impulse}",
+            "is in the direction of 5𝐢 − 𝐣",
+            "magnitude of the impulse = ",
+        ],
+    )
+    assert text.count("(−𝐢 − 2𝐣) − (4𝐢 − 3𝐣)") == 1
