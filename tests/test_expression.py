@@ -26,6 +26,8 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    functions_in,
+    has_root,
     is_binary,
     is_function,
     is_quantity,
@@ -382,6 +384,23 @@ def test_a_node_is_of_a_kind() -> None:
     assert is_binary(tree, "*", "/") and not is_binary(tree, "+")
     assert is_function(tree.right, "sin") and not is_function(tree, "sin")
     assert is_quantity(Quantity("speed"), "speed") and not is_quantity(tree, "speed")
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("2u", set()),
+        ("60° + 2/3", set()),
+        ("sqrt(7)/4 u", {"sqrt"}),
+        ("sin(arctan(3/4) + alpha) - sqrt(1 + cos theta)", {"sin", "arctan", "sqrt", "cos"}),
+        ("(sin alpha) i + 3j", {"sin"}),
+    ],
+)
+def test_a_tree_keeps_its_functions(text, names) -> None:
+    tree = read_expression(text)
+    whole = Binary("+", tree, Number(Fraction(1)))  # one that is made of a tree that has been asked
+    assert functions_in(tree) == functions_in(whole) == names
+    assert has_root(whole) is has_root(tree) is ("sqrt" in names)
 
 
 @pytest.mark.parametrize(

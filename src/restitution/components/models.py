@@ -26,7 +26,7 @@ from restitution.components.verdicts import (
     renamed_formula,
 )
 from restitution.exact import is_zero, tidy
-from restitution.exact.symbols import symbol_names, symbols_in
+from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.tree import (
     Expression,
@@ -223,7 +223,7 @@ class Model:
         """
         points: list[Mapping[str, Any]] = [self.sample]
         whole = [self.in_data(part) for part in parts]
-        sizes = {size.args[0] for x in whole for size in x.atoms(sp.Abs)}
+        sizes = {size.args[0] for x in whole for size in atoms_in(x, sp.Abs)}
         for x in (*whole, *sorted(sizes, key=sp.default_sort_key)):
             sign = self.sign(x)
             if x.is_positive or x.is_negative or not x.free_symbols:

@@ -15,6 +15,7 @@ from restitution.components.letters import allocated_letters, letters_in_use
 from restitution.components.models import Model
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy, tidy_angle
+from restitution.exact.symbols import symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Symbolic
 from restitution.oracle.roles import ACUTE, DIRECTION, Role
@@ -224,7 +225,7 @@ def _frame(
     by_values = False
     final = model.branch.story.happenings[number - 1]
     if (
-        not (sp.sympify(c.x, strict=True).free_symbols | sp.sympify(c.y, strict=True).free_symbols)
+        not (symbols_in(sp.sympify(c.x, strict=True)) | symbols_in(sp.sympify(c.y, strict=True)))
         <= letters
     ):
         assert final.centres is not None

@@ -17,6 +17,7 @@ from sympy import Add, Expr, Mul, Pow, Rational, S
 from restitution.exact import degrees
 from restitution.exact.numbers import tidy_number
 from restitution.exact.simplicity import node_count
+from restitution.exact.symbols import atoms_in
 from restitution.work import remembered, spend
 
 _STEP = Fraction(1, 12)
@@ -42,7 +43,7 @@ def merged(value: Expr) -> Expr:
 
 def has_plain_angles(value: Expr) -> bool:
     """Whether there are cosines or sines of numbers, such as cos 35°."""
-    return any(not sine.free_symbols for sine in value.atoms(sympy.sin, sympy.cos))
+    return any(not sine.free_symbols for sine in atoms_in(value, sympy.sin, sympy.cos))
 
 
 @remembered(2048)

@@ -8,6 +8,7 @@ from mpmath.libmp import NoConvergence
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
 from restitution.exact.simplicity import cost, is_surd
+from restitution.exact.symbols import atoms_in
 from restitution.work import spend
 
 _SURDS = 2
@@ -21,7 +22,7 @@ def over_surds(value: Expr) -> Expr:
 
     A value that has no such factor comes back as it is.
     """
-    surds = {power for power in value.atoms(Pow) if is_surd(power)}
+    surds = {power for power in atoms_in(value, Pow) if is_surd(power)}
     plain = all(surd.exp.q == 2 and surd.base.is_Integer for surd in surds)
     if not plain or not 0 < len(surds) <= _SURDS or len(value.free_symbols) > _LETTERS:
         return value

@@ -11,13 +11,16 @@ from restitution.exact.factors import conjugates, factored
 from restitution.exact.samples import is_negative
 from restitution.exact.signs import sign_of
 from restitution.exact.simplicity import HALF, cost
+from restitution.exact.symbols import atoms_in
 from restitution.exact.trigonometry import MaskedAngle, has_tangent_letter, masked_angles
 
 
 def has_fractions(value: Expr) -> bool:
     """Whether a sum in the expression has terms with denominators."""
     return any(
-        sympy.fraction(term)[1] is not S.One for total in value.atoms(Add) for term in total.args
+        sympy.fraction(term)[1] is not S.One
+        for total in atoms_in(value, Add)
+        for term in total.args
     )
 
 
@@ -175,7 +178,7 @@ def mask_roots(value: Expr, back: dict[Symbol, Expr]) -> Expr:
     """Each root of letters replaced by one letter, each letter under a root by a square."""
     roots = {
         atom.base
-        for atom in value.atoms(Pow)
+        for atom in atoms_in(value, Pow)
         if isinstance(atom.exp, Rational) and atom.exp.q == 2 and atom.base.free_symbols
     }
     known = {root.base: symbol for symbol, root in back.items() if isinstance(root, Pow)}

@@ -8,6 +8,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Float, Rational
 
+from restitution.exact.symbols import symbols_in
 from restitution.exact.zero import is_zero
 
 
@@ -46,7 +47,7 @@ def significant(expression: Any, figures: int = 3) -> str:
 
 def _as_fraction(value: Any, figures: int) -> Fraction:
     """A rational that rounds as the value does to so many figures."""
-    if isinstance(value, Expr) and not value.free_symbols:
+    if isinstance(value, Expr) and not symbols_in(value):
         if isinstance(value, Rational):
             return Fraction(int(value.p), int(value.q))
         for digits in (figures + 25, figures + 80):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
+from typing import Any
 
 import sympy as sp
 
@@ -14,9 +15,15 @@ def symbols_in(value: sp.Basic) -> frozenset[sp.Symbol]:
     return frozenset(value.free_symbols)
 
 
+@lru_cache(maxsize=8192)
+def atoms_in(value: sp.Basic, *kinds: type) -> frozenset[Any]:
+    """The parts of an expression that are of some kinds, worked out once."""
+    return frozenset(value.atoms(*kinds))
+
+
 def symbol_names(*values: sp.Basic) -> frozenset[str]:
     """The names of the symbols in expressions."""
-    return frozenset(symbol.name for value in values for symbol in value.free_symbols)
+    return frozenset([symbol.name for value in values for symbol in symbols_in(value)])
 
 
 def substituted(value: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
@@ -42,6 +49,7 @@ def operations_in(value: sp.Basic) -> int:
 
 
 __all__ = [
+    "atoms_in",
     "multiple_of_a_symbol",
     "operations_in",
     "substituted",

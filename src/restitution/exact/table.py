@@ -13,6 +13,7 @@ from restitution.exact.numbers import NUMBERS
 from restitution.exact.plain_angles import has_plain_angles, merged
 from restitution.exact.rules import CONVENTION, Rule
 from restitution.exact.simplicity import SEARCHED, TRIGONOMETRIC, node_count
+from restitution.exact.symbols import atoms_in
 from restitution.exact.trigonometry import InOneAngle
 
 AT_FIRST = (Rule("plain angles merged", has_plain_angles, merged, CONVENTION),)
@@ -26,7 +27,7 @@ GIVEN = (
 
 def _has_angles_made_of_others(value: sympy.Expr) -> bool:
     functions = (*TRIGONOMETRIC, sympy.atan, sympy.acos, sympy.asin)
-    if all(function.args[0].is_Symbol for function in value.atoms(*functions)):
+    if all(function.args[0].is_Symbol for function in atoms_in(value, *functions)):
         return False
     return node_count(sympy.expand_trig(value), SEARCHED) < SEARCHED
 

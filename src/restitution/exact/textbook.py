@@ -42,6 +42,7 @@ from restitution.exact.simplicity import (
     node_count,
     terms_multiplied_out,
 )
+from restitution.exact.symbols import symbols_in
 from restitution.exact.table import (
     AT_FIRST,
     GIVEN,
@@ -189,7 +190,7 @@ def _restore(value: Expr, back: dict[Symbol, Expr]) -> Expr:
     """Masked parts put back without multiplying out a number in front of a sum."""
     if isinstance(value, Symbol):
         return back.get(value, value)
-    if value.is_Atom or not (value.free_symbols & back.keys()):
+    if value.is_Atom or not (symbols_in(value) & back.keys()):
         return value
     arguments = [_restore(argument, back) for argument in value.args]
     return rebuilt(value, arguments)

@@ -13,6 +13,7 @@ from sympy import Add, Dummy, Expr, Mul, Pow, S, Symbol
 
 from restitution.exact.factors import factored
 from restitution.exact.simplicity import MASKED, TERMS, cost
+from restitution.exact.symbols import atoms_in
 from restitution.records import dataclass
 from restitution.work import spend
 
@@ -55,7 +56,7 @@ def in_sines(value: Expr, angle: Expr | None = None) -> Expr:
     ):
         put = {
             ratio: above(ratio.args[0]) / below(ratio.args[0])
-            for ratio in value.atoms(function)
+            for ratio in atoms_in(value, function)
             if angle is None or ratio.args[0] == angle
         }
         value = value.xreplace(put)

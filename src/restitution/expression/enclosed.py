@@ -286,22 +286,22 @@ class Enclosed:
         return cls(function_in(_PRECISION, "atan2", [y.ends, x.ends]))
 
     def __add__(self, other: Any) -> Enclosed:
-        ends = _other(other)
-        return NotImplemented if ends is None else Enclosed(mpi_add(self.ends, ends, _PRECISION))
+        ends = other.ends if type(other) is Enclosed else _other(other)
+        return NotImplemented if ends is None else Enclosed(_sum(self.ends, ends))
 
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Enclosed:
-        ends = _other(other)
-        return NotImplemented if ends is None else Enclosed(mpi_sub(self.ends, ends, _PRECISION))
+        ends = other.ends if type(other) is Enclosed else _other(other)
+        return NotImplemented if ends is None else Enclosed(_sum(self.ends, ends, -1))
 
     def __rsub__(self, other: Any) -> Enclosed:
         ends = _other(other)
-        return NotImplemented if ends is None else Enclosed(mpi_sub(ends, self.ends, _PRECISION))
+        return NotImplemented if ends is None else Enclosed(_sum(ends, self.ends, -1))
 
     def __mul__(self, other: Any) -> Enclosed:
-        ends = _other(other)
-        return NotImplemented if ends is None else Enclosed(mpi_mul(self.ends, ends, _PRECISION))
+        ends = other.ends if type(other) is Enclosed else _other(other)
+        return NotImplemented if ends is None else Enclosed(_product(self.ends, ends))
 
     __rmul__ = __mul__
 
@@ -395,6 +395,50 @@ def _other(value: Any) -> Interval | None:
             raise UndefinedError(str(value))
         return own, own
     return fraction_in(_PRECISION, value) if isinstance(value, Fraction) else None
+
+
+def _sum(one: Interval, other: Interval, sign: int = 1) -> Interval:
+    """The sum, or the difference, of two numbers: of two that are exact exactly, if it is short."""
+    low, high = one
+    least, most = other
+    if low == high and least == most:
+        minus, a, p, _ = low
+        back, b, q, _ = least
+        if a and b and abs(p - q) < _PRECISION:
+            exponent = min(p, q)
+            whole = (-a if minus else a) << (p - exponent)
+            whole += (-b if bool(back) is (sign > 0) else b) << (q - exponent)
+            end = _exact(whole, exponent)
+            if end is not None:
+                return end, end
+    act = mpi_add if sign > 0 else mpi_sub
+    return act(one, other, _PRECISION)  # type: ignore[no-any-return]
+
+
+def _exact(whole: Any, exponent: int) -> Any:
+    """A whole number times a power of 2, as ``mpmath.libmp`` has it; None of one that is long."""
+    size = abs(whole)
+    if not size:
+        return fzero
+    shift = (size & -size).bit_length() - 1
+    size >>= shift
+    bits = size.bit_length()
+    return (int(whole < 0), size, exponent + shift, bits) if bits <= _PRECISION else None
+
+
+def _product(one: Interval, other: Interval) -> Interval:
+    """The product of two numbers: of two that are exact exactly, if it is short."""
+    low, high = one
+    least, most = other
+    if low == high and least == most:
+        minus, a, p, _ = low
+        back, b, q, _ = least
+        whole = a * b  # odd, as both are
+        bits = whole.bit_length()
+        if whole and bits <= _PRECISION:
+            end = minus ^ back, whole, p + q, bits
+            return end, end
+    return mpi_mul(one, other, _PRECISION)  # type: ignore[no-any-return]
 
 
 def _quotient(above: Interval, below: Interval) -> Interval:

@@ -18,7 +18,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError, StatementError
 from restitution.exact.degrees import cosine, sine, turns_of
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.expression.enclosed import PI, Enclosed
 from restitution.expression.tree import (
     Apply,
@@ -69,13 +69,13 @@ class Symbolic:
     zero = sp.Integer(0)
 
     def number(self, value: Fraction) -> Scalar:
-        return _rational(value.numerator, value.denominator)
+        return _rational(*value.as_integer_ratio())
 
     def sqrt(self, x: Scalar) -> Scalar:
         return root(sp.sympify(x, strict=True))
 
     def abs(self, x: Scalar) -> Scalar:
-        if not x.free_symbols and (x.has(sp.CRootOf) or sp.count_ops(x) > _LONG_NUMBER):
+        if not symbols_in(x) and (x.has(sp.CRootOf) or sp.count_ops(x) > _LONG_NUMBER):
             # SymPy would look for a form of it; its digits tell on which side of zero it is.
             number = x.evalf(20)
             if number.is_Float and number._prec > 1:
@@ -147,6 +147,7 @@ def root(x: sp.Expr) -> sp.Expr:
     return sp.sqrt(factored)
 
 
+@lru_cache(maxsize=4096)
 def cos_sin(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Cosine and sine of a sum of angles, expanded into those of its letters."""
     terms = sp.Add.make_args(sp.expand(x))
@@ -471,6 +472,11 @@ def in_letters(tree: Expression, *, positive: bool = False) -> Any:
 
     They may be taken to be ``positive``. Raises what `evaluate` raises.
     """
+    return _in_letters(tree, positive)
+
+
+@lru_cache(maxsize=4096)
+def _in_letters(tree: Expression, positive: bool) -> Any:
     value = evaluate(tree, (lambda name: sp.Symbol(name, positive=True)) if positive else sp.Symbol)
     return value if isinstance(value, Vector) else sp.sympify(value, strict=True)
 

@@ -34,7 +34,7 @@ def line_and_column(place: Place | None) -> tuple[int | None, int | None]:
 class Node:
     """A node of a tree; it keeps what is asked for often: its hash, its inside, its letters."""
 
-    __slots__ = ("_hash", "_inside", "_letters", "_quantity")
+    __slots__ = ("_functions", "_hash", "_inside", "_letters", "_quantity")
 
 
 def keeps_hash(kind: type[_Kind]) -> type[_Kind]:
@@ -382,6 +382,27 @@ def letters(node: Expression) -> frozenset[str]:
         return kept
 
 
+def functions_in(node: Expression) -> frozenset[str]:
+    """The names of the functions in an expression."""
+    try:
+        return node._functions  # type: ignore[no-any-return, union-attr]
+    except AttributeError:
+        names: set[str] = {node.function} if type(node) is Apply else set()
+        pending = list(children(node))
+        while pending:  # what is put together of others knows theirs
+            current = pending.pop()
+            known = getattr(current, "_functions", None)
+            if known is not None:
+                names |= known
+                continue
+            if type(current) is Apply:
+                names.add(current.function)
+            pending += children(current)
+        kept = frozenset(names)
+        object.__setattr__(node, "_functions", kept)
+        return kept
+
+
 def has_quantity(node: Expression) -> bool:
     """Whether an expression speaks of the motion, not of letters and numbers alone."""
     try:
@@ -467,7 +488,10 @@ def has_operator(tree: Expression, *signs: str) -> bool:
 
 def has_root(tree: Expression) -> bool:
     """Whether a square root stands in an expression."""
-    return any(is_function(node, "sqrt") for node in walk(tree))
+    try:
+        return "sqrt" in tree._functions  # type: ignore[union-attr]
+    except AttributeError:
+        return "sqrt" in functions_in(tree)
 
 
 def is_binary(node: object, *signs: str) -> TypeGuard[Binary]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from restitution.exact.symbols import symbols_in
 from restitution.oracle.points import (
     Program,
 )
@@ -23,7 +24,7 @@ def scaled_sign(x: sp.Expr, roles: Mapping[str, Role]) -> int | None:
 
 
 def _is_scaled(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
-    letters_ = x.free_symbols
+    letters_ = symbols_in(x)
     if not all(s.is_positive and roles.get(s.name, REAL).low == 0 for s in letters_):
         return False
     return _powers(x) is not None
@@ -31,7 +32,7 @@ def _is_scaled(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
 
 def _powers(x: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
     """The powers of letters to which an expression is proportional; None where it is not."""
-    if not x.free_symbols:
+    if not symbols_in(x):
         return {}
     if x.is_Symbol:
         return {x: sp.Integer(1)}

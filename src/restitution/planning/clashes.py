@@ -46,7 +46,7 @@ from restitution.planning.unfinished import require_followed
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk, together
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.polynomials import factored, numerator
+from restitution.planning.writing.polynomials import expanded, factored, numerator, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import (
@@ -316,10 +316,10 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
         alone = in_one_ratio(above, kept, other)
         if not alone.has(other) and alone.is_polynomial(kept) and sp.degree(alone, kept) == 1:
             return _of_no_square(scene, line, kept, alone)
-        plain = sp.expand(above).xreplace({other**2: 1 - square, kept**2: square})
+        plain = expanded(above).xreplace({other**2: 1 - square, kept**2: square})
         if plain.has(angle) or sp.degree(plain, square) != 1:
             continue
-        (value,) = sp.roots(sp.Poly(plain, square))
+        (value,) = sp.roots(polynomial_in(plain, square))
         relation = equality(tree_of(kept**2), tree_of(tidy(value)))
         move = Move("identity", "pythagoras")
         refs = scene.judge.enough(move, (line,), relation, background(scene, {angle.name}))
@@ -331,7 +331,7 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
 def _of_no_square(scene: Scene, line: int, ratio: sp.Expr, above: sp.Expr) -> int:
     """The cosine or the sine of an angle, where sin² + cos² = 1 leaves no square of it."""
     link = scene.desk.last_link(line)
-    own = sp.Poly(above, ratio)
+    own = polynomial_in(above, ratio)
     other = {sp.sin: sp.cos, sp.cos: sp.sin}[ratio.func](*ratio.args)
     sides = (tree_of(in_one_ratio(scene.scalar(e), ratio, other)) for e in (link.left, link.right))
     value = tree_of(tidy(-own.nth(0) / own.nth(1)))
@@ -352,7 +352,7 @@ def _of_a_square(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     above = numerator(residual(scene, line))
     if symbol in inside_functions(above):
         return line
-    poly = sp.Poly(above, symbol)
+    poly = polynomial_in(above, symbol)
     if poly.degree() != 2 or poly.nth(1) != 0:
         return line
     in_degrees = square_in_degrees(scene, line, symbol)

@@ -7,11 +7,13 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import ItemEnd, Link, Relation, equality
 from restitution.expression.tree import Apply, Expression, letters, walk
 from restitution.planning.writing.checking import measured
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import derivative
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import ItemResult
 
@@ -41,7 +43,7 @@ def require_answer(scene: Scene, result: ItemResult) -> None:
     if len(written) != len(wanted):
         return  # nothing, for a vector
     for one, other in zip(written, wanted, strict=True):
-        if other.free_symbols and scene.model.differ(sp.sympify(one, strict=True), other):
+        if symbols_in(other) and scene.model.differ(sp.sympify(one, strict=True), other):
             raise NotPlannedError("an answer that is another for some values of the letters")
 
 
@@ -60,10 +62,10 @@ def require_letters(scene: Scene, result: ItemResult) -> None:
             others = {
                 symbol.name
                 for value in map(sp.sympify, parts)
-                for symbol in value.free_symbols
+                for symbol in symbols_in(value)
                 if symbol.name not in asked and symbol.name in letters(link.right)
                 # What cancels in the value is no letter of the answer.
-                if not scene.model.identically_zero(sp.diff(value, symbol))
+                if not scene.model.identically_zero(derivative(value, symbol))
             }
             if others:
                 raise NotPlannedError(f"an answer in {', '.join(sorted(others))}")

@@ -10,8 +10,6 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-import sympy as sp
-
 from restitution.errors import ImpossibleError, RestitutionError
 from restitution.explaining.lines.derivation import Link, Note, Relation
 from restitution.explaining.lines.trees import settled
@@ -23,6 +21,7 @@ from restitution.planning.unfinished import require_followed
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Impact, Part, Problem, Step, Value
 from restitution.shapes import Segment
@@ -106,7 +105,7 @@ def _between(scene: Scene, place: Quantity, shape: Segment, there: object) -> It
     assert all(isinstance(end, Vector) for end in ends)
     for axis in ("i", "j"):
         low, high = (end.x if axis == "i" else end.y for end in ends)
-        if scene.model.sign(sp.expand(high - low)) < 0:
+        if scene.model.sign(expanded(high - low)) < 0:
             low, high = high, low
         subject = Quantity("along", (place, Unit(axis)))
         yield Link(subject, "<", tree_of(high))

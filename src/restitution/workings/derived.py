@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from operator import is_
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.unused import is_of_open_data, spare_facts
@@ -95,13 +95,32 @@ def explanation_of(
     solution: Solution | None = None,
     conditions: Mapping[int, Sentence] | None = None,
 ) -> Explanation:
-    """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of.
+    """The working as a value of which all formats are made, and pictures with the ``solution``."""
+    written = steps_of(derivation, problem, conditions)
+    parts: list[PartExplanation] = []
+    for label, steps in written.steps.items():
+        ends = [item for item in derivation.items if item.part == label]
+        asked = tuple(written.ends.text(e) for e, part in derivation.asked.items() if part == label)
+        answers = tuple(to_text(written.naming.relation(end.answer)) for end in ends)
+        parts.append(PartExplanation(label, asked, steps, answers, derivation))
+    letters = written.naming.letters
+    return Explanation(problem.title, tuple(parts), problem.warnings, solution, letters=letters)
 
-    With the ``solution`` it can be illustrated. ``conditions`` are said below the lines with
-    these numbers.
-    """
+
+class Written(NamedTuple):
+    """The steps of each part, by its label, with the names and the items of the working."""
+
+    steps: Mapping[str | None, tuple[Step, ...]]
+    naming: Naming
+    ends: Ends
+
+
+def steps_of(
+    derivation: Derivation, problem: Problem, conditions: Mapping[int, Sentence] | None = None
+) -> Written:
+    """The working in steps; ``conditions`` are said below the lines with these numbers."""
     labels = list(dict.fromkeys(derivation.asked.values()))
-    whole, in_senses = derivation, in_senses_of_walls(derivation, problem)
+    in_senses = in_senses_of_walls(derivation, problem)
     derivation, turned = in_senses.printed, in_senses.events
     writer = _Writer(derivation, problem, conditions or {}, turned=turned)
     steps = {label: writer.part(label) for label in labels}
@@ -116,14 +135,7 @@ def explanation_of(
             finer=writer.rows.finer,
         )
         steps = {label: writer.part(label) for label in labels}
-    parts: list[PartExplanation] = []
-    for label in labels:
-        ends = [item for item in derivation.items if item.part == label]
-        asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
-        answers = tuple(to_text(writer.naming.relation(end.answer)) for end in ends)
-        parts.append(PartExplanation(label, asked, steps[label], answers, whole))
-    letters = writer.naming.letters
-    return Explanation(problem.title, tuple(parts), problem.warnings, solution, letters=letters)
+    return Written(steps, writer.naming, writer.ends)
 
 
 @dataclass

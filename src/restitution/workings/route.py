@@ -15,7 +15,7 @@ from restitution.solving.story.letters import roles
 from restitution.work import confirm, limited
 from restitution.workings.backwards import is_told_backwards, steps_backwards
 from restitution.workings.conditions import conditions_of
-from restitution.workings.derived import explanation_of
+from restitution.workings.derived import steps_of
 from restitution.workings.reasons.other_bounds import other_bounds
 from restitution.workings.rendering.explanation import Explanation
 from restitution.workings.rendering.steps import PartExplanation, Step
@@ -69,13 +69,12 @@ def _printed(
 ) -> Explanation:
     """A derivation in steps and rows."""
     conditions = {**other_bounds(solution, derivation), **conditions_of(solution, derivation)}
-    whole = explanation_of(derivation, solution.problem, conditions=conditions)
-    steps = {part.label: part.steps for part in whole.parts}
+    written = steps_of(derivation, solution.problem, conditions)
     parts = tuple(
         PartExplanation(
             label,
             tuple(item.text for item in own_label.items),
-            (*_before(derivation, own_label), *steps.get(label, ())),
+            (*_before(derivation, own_label), *written.steps.get(label, ())),
             tuple(_answers(item) for item in own_label.items),
             derivation,
         )
@@ -95,7 +94,7 @@ def _printed(
         ]
         followed = not complaints
     title = solution.problem.title
-    return Explanation(title, parts, tuple(warnings), solution, followed, whole.letters)
+    return Explanation(title, parts, tuple(warnings), solution, followed, written.naming.letters)
 
 
 def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:

@@ -48,9 +48,9 @@ from restitution.explaining.awarding.mark_conditions import (
 from restitution.explaining.awarding.mark_rules import (
     CONCLUDING,
     PAIR,
-    RULES_OF,
     Rule,
     marks_of_note,
+    rules_of,
 )
 from restitution.explaining.awarding.work import length, single_sides, subject_of
 from restitution.explaining.data.unused import lines_under
@@ -344,15 +344,17 @@ class _Awarding:
     def rule(self, line: Line) -> Rule | None:
         """The first rule of the table that fits a line."""
         if line.number not in self._rules:
-            fitting = (rule for rule in RULES_OF[line.move.id] if self._fits(rule, line))
-            self._rules[line.number] = next(fitting, None)
+            self._rules[line.number] = next(self._fitting(line), None)
         return self._rules[line.number]
 
-    def _fits(self, rule: Rule, line: Line) -> bool:
-        move = line.move
-        return (not rule.records or move.record in rule.records) and all(
-            CONDITIONS[name](self, line) for name in rule.when
-        )
+    def _fitting(self, line: Line) -> Iterator[Rule]:
+        """The rules that fit a line."""
+        for rule in rules_of(line.move.id, line.move.record):
+            for name in rule.when:
+                if not CONDITIONS[name](self, line):
+                    break
+            else:
+                yield rule
 
     def _settled(self, points: Mapping[int, Sequence[str]]) -> dict[int, Marks]:
         """Points as marks that agree with each other, part by part."""

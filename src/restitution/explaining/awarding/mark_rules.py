@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
+from functools import lru_cache
 
-from restitution.explaining.lines.derivation import (
-    MOVES,
-    MoveId,
-    Note,
-    NoteKind,
-)
+from restitution.explaining.lines.derivation import MoveId, Note, NoteKind
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
 from restitution.records import dataclass
 
@@ -230,10 +226,13 @@ RULES: tuple[Rule, ...] = (
 )
 """The table. A line that no rule fits earns nothing by itself."""
 
-RULES_OF: Mapping[MoveId, tuple[Rule, ...]] = {
-    move: tuple(rule for rule in RULES if move in rule.moves) for move in MOVES
-}
-"""The rules of the table for each move, in its order."""
+
+@lru_cache(maxsize=1024)
+def rules_of(move: MoveId, record: str | None) -> tuple[Rule, ...]:
+    """The rules of the table for a move and a record, in its order."""
+    return tuple(
+        rule for rule in RULES if move in rule.moves and record in (rule.records or {record})
+    )
 
 
 CONCLUDING: frozenset[NoteKind] = frozenset({"impossible", "contradiction", "missing"})

@@ -106,7 +106,7 @@ class Setting:
         The laws at walls are left out too, unless it is ``with_bounces``.
         """
         if self.bounces and not with_bounces:
-            return replace(self, bounces=()).of_letters(names, with_bounces=True)
+            return self._without_bounces.of_letters(names, with_bounces=True)
         names |= {
             name
             for premise in self.bounces
@@ -125,11 +125,23 @@ class Setting:
             pending += more
         if len(kept) == len(self.meanings):
             return self
-        return replace(
-            self,
-            meanings={n: meaning for n, meaning in self.meanings.items() if n in kept},
-            values={n: value for n, value in self.values.items() if n in kept},
-        )
+        own = frozenset(kept)
+        if own not in self._of_fewer:
+            self._of_fewer[own] = replace(
+                self,
+                meanings={n: meaning for n, meaning in self.meanings.items() if n in kept},
+                values={n: value for n, value in self.values.items() if n in kept},
+            )
+        return self._of_fewer[own]
+
+    @cached_property
+    def _without_bounces(self) -> Setting:
+        return replace(self, bounces=())
+
+    @cached_property
+    def _of_fewer(self) -> dict[frozenset[str], Setting]:
+        """The settings of fewer letters: each keeps its hash, and is found without comparing."""
+        return {}
 
     def __hash__(self) -> int:
         return self._hash

@@ -36,13 +36,24 @@ def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Exp
         if left is not tree.left or right is not tree.right:
             tree = Binary(tree.op, left, right, place=tree.place)
         return change(tree)
+    if type(tree) is Apply:
+        argument = rebuilt(tree.argument, change)
+        if argument is not tree.argument:
+            tree = Apply(tree.function, argument, place=tree.place)
+        return change(tree)
     put: dict[str, Any] = {}
     for name in PARTS[type(tree)]:
         value = getattr(tree, name)
+        if type(value) in _PLAIN:
+            continue
         new = _rebuilt(value, change)
         if new is not value:
             put[name] = new
     return change(replace(tree, **put) if put else tree)
+
+
+# Of what is inside a node that is no tree.
+_PLAIN = frozenset({str, int, type(None)})
 
 
 def angles_with_both_ratios(trees: Iterable[Expression]) -> frozenset[Expression]:
@@ -180,29 +191,31 @@ def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
 
     To come to a point, or to a wall, changes none.
     """
-    return _settled(tree, events) if has_quantity(tree) else tree
+    if not has_quantity(tree):
+        return tree
+    for node in walk(tree):
+        if isinstance(node, Quantity) and node is not _settled_alone(node, events):
+            return _settled(tree, events)
+    return tree  # as most are: nothing is looked up for these
+
+
+def _settled_alone(tree: Expression, events: tuple[Event, ...]) -> Expression:
+    """A velocity with the number of the last event that changed it; anything else as it is."""
+    if not (isinstance(tree, Quantity) and tree.kind in LASTING and tree.arguments):
+        return tree
+    (body,) = tree.arguments
+    if not isinstance(tree.stage, int) or not isinstance(body, Name):
+        return tree
+    last = 0
+    for event in events:
+        if event.number <= tree.stage and event.kind != "arrival" and body.name in event.bodies[:2]:
+            last = max(last, event.number)
+    return tree if last == tree.stage else replace(tree, stage=last)
 
 
 @lru_cache(maxsize=4096)
 def _settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
-
-    def change(tree: Expression) -> Expression:
-        if not (isinstance(tree, Quantity) and tree.kind in LASTING and tree.arguments):
-            return tree
-        (body,) = tree.arguments
-        if not isinstance(tree.stage, int) or not isinstance(body, Name):
-            return tree
-        last = max(
-            (
-                e.number
-                for e in events
-                if e.number <= tree.stage and e.kind != "arrival" and body.name in e.bodies[:2]
-            ),
-            default=0,
-        )
-        return tree if last == tree.stage else replace(tree, stage=last)
-
-    return rebuilt(tree, change)
+    return rebuilt(tree, lambda node: _settled_alone(node, events))
 
 
 def squared(tree: Expression) -> Expression:

@@ -41,7 +41,7 @@ from restitution.planning.writing.forms import (
     swept,
     tree_of,
 )
-from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.polynomials import derivative, expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
@@ -102,7 +102,7 @@ def _terms(scene: Scene, equation: GivenEquation) -> tuple[str, str, int, sp.Exp
         return None
     left, right = (scene_value(scene, side) for side in sides)
     gap = expanded(left - right)
-    a, b = (sp.diff(gap, own) for own in (first, second))
+    a, b = (derivative(gap, own) for own in (first, second))
     if {abs(a), abs(b)} == {1, 2} and a * b < 0 and gap.subs({first: 0, second: 0}) == 0:
         twice, once = names if abs(a) == 1 else names[::-1]
         # Where the statement gives the smaller angle, its double is put in for the other.

@@ -25,6 +25,7 @@ from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import derivative, expanded
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.records import dataclass
 
@@ -81,7 +82,7 @@ def _write(scene: Scene, body: str, event: int, before: Letter) -> str | None:
         ]
         if any(map(has_quantity, sides)) or {*letters(sides[0]), *letters(sides[1])} - {*symbols}:
             return None
-        gap = sp.expand(scene.worth(sides[0], symbols) - scene.worth(sides[1], symbols))
+        gap = expanded(scene.worth(sides[0], symbols) - scene.worth(sides[1], symbols))
         if not gap.is_polynomial(*symbols.values()) or sp.total_degree(gap, *symbols.values()) != 1:
             return None
         relation = chain(sides[0], (sides[1], None))
@@ -189,9 +190,9 @@ def _without(
         (link,) = own.relation.only
         if link.left != eliminated or letters(link.right) != {left.name}:
             continue
-        factor = sp.expand(other.gap.subs(sp.Symbol(eliminated.name), 0)).coeff(
+        factor = expanded(other.gap.subs(sp.Symbol(eliminated.name), 0)).coeff(
             sp.Symbol(left.name)
-        ) + other.gap.coeff(sp.Symbol(eliminated.name)) * sp.diff(
+        ) + other.gap.coeff(sp.Symbol(eliminated.name)) * derivative(
             scene.worth(link.right, {left.name: sp.Symbol(left.name)}), sp.Symbol(left.name)
         )
         whole = Binary("*", tree_of(tidy(factor)), left)

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.expression.tree import (
     Degrees,
@@ -24,7 +25,7 @@ def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
     own = scene.desk.last_link(line)
     answer = equality(own.left, own.right)
     value = scene.scalar(own.right)
-    if value.free_symbols or _in_degrees(own.right):
+    if symbols_in(value) or _in_degrees(own.right):
         return line, answer
     rounded = _rounded(value * 180 / sp.pi)
     answer = Relation(((Link(own.left, "≈", rounded),),))

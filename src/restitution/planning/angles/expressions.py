@@ -255,7 +255,7 @@ def _without_opposites(scene: Scene, tree: Expression) -> Expression | None:
     arcs = [node for node in walk(tree) if isinstance(node, Apply) and node.function in _ARCS]
     if len(value.atoms(sp.atan, sp.acos, sp.asin)) >= len(set(arcs)):
         return None
-    return tree_of(sp.expand(value), angle=True, as_it_is=True)
+    return tree_of(expanded(value), angle=True, as_it_is=True)
 
 
 def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...], list[sp.Expr]]:

@@ -35,7 +35,7 @@ from restitution.planning.formulas.velocity_formulas import (
 )
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import product, square, total, tree_of
-from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.polynomials import expanded, polynomial_in
 from restitution.planning.writing.ratio_of_an_angle import Ratio
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import whole_direction
@@ -160,7 +160,7 @@ def _without_common_factors(dot: sp.Expr, *squares: sp.Expr) -> list[sp.Expr]:
     for symbol in sorted(dot.free_symbols, key=lambda symbol: symbol.name):
         if not symbol.is_positive or not all(value.is_polynomial(symbol) for value in values):
             continue
-        above, *below = (sp.Poly(value, symbol) for value in values)
+        above, *below = (polynomial_in(value, symbol) for value in values)
         alone = all(len(value.monoms()) == 1 for value in (above, *below))
         if alone and 2 * above.degree() == sum(value.degree() for value in below):
             values = [value.subs(symbol, 1) for value in values]

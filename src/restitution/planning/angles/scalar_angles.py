@@ -39,7 +39,7 @@ from restitution.planning.formulas.turns import Moving, impact_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import ZERO, outer_terms, product, swept, total, tree_of
-from restitution.planning.writing.polynomials import one_fraction
+from restitution.planning.writing.polynomials import expanded, one_fraction
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
@@ -194,7 +194,7 @@ def _squares(scene: Scene, moving: Moving) -> tuple[Expression, sp.Expr, tuple[R
     """The square of a speed by components: the tree, its value, and what it rests on."""
     body, stage = moving
     tree, value, refs = squares(scene, body, scene.last_event(body, stage))
-    return tree, tidy(sp.expand(value)), refs
+    return tree, tidy(expanded(value)), refs
 
 
 def is_long(right: Expression) -> bool:
@@ -243,7 +243,7 @@ def _terms(
     (a, b), (c, d) = components
     tree = total((product(tree_of(a), tree_of(c)), product(tree_of(b), tree_of(d))))
     subject = Quantity("dot", tuple(_velocity(scene, state) for state in pair))
-    return subject, swept(tree), tidy(sp.expand(a * c + b * d)), refs
+    return subject, swept(tree), tidy(expanded(a * c + b * d)), refs
 
 
 def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:

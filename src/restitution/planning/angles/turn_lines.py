@@ -525,7 +525,7 @@ def _in_its_tangents(scene: Scene, form: Form, tangents: Sequence[Expression]) -
     own = sorted({ratio for value in values for ratio in value.atoms(sp.tan)}, key=str)
     if not own or any(value.has(sp.sin, sp.cos) for value in values):
         return None
-    letters_ = {tangent: sp.Dummy(positive=True) for tangent in own}
+    letters_ = {tangent: sp.Dummy("Dummy", n, positive=True) for n, tangent in enumerate(own)}
     p, q = (value.xreplace(letters_) for value in values)
     back = {letter: tangent for tangent, letter in letters_.items()}
     return tidy(_tangent_by(form, p, q)).xreplace(back)

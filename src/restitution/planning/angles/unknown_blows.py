@@ -16,6 +16,7 @@ from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.writing.desk import NotPlannedError, chain, link, together
 from restitution.planning.writing.forms import square, swept, total, tree_of
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
 
@@ -71,7 +72,7 @@ def take_blow(scene: Scene, body: str, event: int) -> None:
 
 def _solved(scene: Scene, left: sp.Expr, right: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Two sides, with what is unknown alone on the left; what has no unknown stays as it is."""
-    own, rest = sp.expand(left - right).as_independent(*scene.unknown(left))[::-1]
+    own, rest = expanded(left - right).as_independent(*scene.unknown(left))[::-1]
     if own == 0:
         return left, right
     factor, bare = own.as_independent(*scene.unknown(left), as_Add=False)

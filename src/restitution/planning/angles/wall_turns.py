@@ -28,6 +28,7 @@ from restitution.planning.writing.angles import angle_of_approach, data_of_appro
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
@@ -242,7 +243,7 @@ def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> 
     rest = _rest(scene, right, angle, after, before, later)
     if rest is None:
         return None
-    either = (sp.expand(sign * rest + later - before) for sign in (1, -1))
+    either = (expanded(sign * rest + later - before) for sign in (1, -1))
     return next((more for more in either if more.is_number), None)
 
 
@@ -256,7 +257,7 @@ def _multiple(
         return None
     times = -rest.coeff(before) / rest.coeff(later)
     is_multiple = (
-        times.is_Rational and times > 0 and sp.expand(rest.subs(later, times * before)) == 0
+        times.is_Rational and times > 0 and expanded(rest.subs(later, times * before)) == 0
     )
     return times if is_multiple else None
 
@@ -274,7 +275,7 @@ def _rest(
     if has_quantity(tree) or letters(tree) - {before.name, later.name}:
         return None
     value = scene.worth(tree, {before.name: before, later.name: later})
-    return sp.expand(value - before - later)
+    return expanded(value - before - later)
 
 
 def _by_its_multiple(

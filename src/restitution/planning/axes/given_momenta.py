@@ -16,6 +16,7 @@ from restitution.planning.formulas.velocity_formulas import velocity_source
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import derivative, expanded
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
@@ -120,9 +121,9 @@ def _close_parts(scene: Scene, line: int) -> None:
     left, right = (scene.vector(side) for side in (link.left, link.right))
     open_: list[tuple[int, frozenset[sp.Symbol]]] = []
     for a, b in zip(left, right, strict=True):
-        unknown = scene.unknown(sp.expand(a - b))
+        unknown = scene.unknown(expanded(a - b))
         if unknown:
-            sides = (tree_of(sp.expand(value), as_it_is=True) for value in (a, b))
+            sides = (tree_of(expanded(value), as_it_is=True) for value in (a, b))
             first, second = sides
             number = scene.desk.write(Move("rearrange"), (line,), equality(first, second))
             open_.append((number, unknown))
@@ -225,11 +226,11 @@ def write_masses(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         sides.append(swept(total(terms)))
     move = Move("law", "momentum-vector", number, bodies)
     line = scene.desk.write(move, together(refs), chain(sides[0], (sides[1], None)))
-    part = next((value for value in residual if symbol in sp.expand(value).free_symbols), None)
+    part = next((value for value in residual if symbol in expanded(value).free_symbols), None)
     if part is None:
         return None
-    expanded_part = sp.expand(part)
-    slope = sp.diff(expanded_part, symbol)
+    expanded_part = expanded(part)
+    slope = derivative(expanded_part, symbol)
     value = tidy(-expanded_part.subs(symbol, 0) / slope)
     relation = chain(tree_of(symbol), (tree_of(value), None))
     if symbol in value.free_symbols or not scene.judge.follows(
@@ -279,7 +280,7 @@ def write_impulse(scene: Scene, given: GivenEquation) -> int:
 def _size(scene: Scene, value: Vector, frame: Frame) -> tuple[Expression, tuple[int | str, ...]]:
     """The size of an impulse, which acts along the line of the impact."""
     put, refs = scene.put(value)
-    size = tidy(sp.sqrt(tidy(sp.expand(put.dot(put)))))
+    size = tidy(sp.sqrt(tidy(expanded(put.dot(put)))))
     if any(scene.unknown(value) for value in put) or not size.is_number:
         raise NotPlannedError("an impulse in letters")
     if size.is_Rational and 0 in put:

@@ -30,6 +30,7 @@ from restitution.planning.formulas.named_angles import free_letter
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import cancelled, expanded
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Extremum, Problem, Range
 from restitution.solving.equations.solution import Solution
@@ -58,7 +59,7 @@ def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
     if any(fact.part is None or not over for fact in values):
         return {}
     one, other = (branches[0].story.velocity(body, 0) for body in desk.events[0].bodies)
-    size = sp.sqrt(sp.expand(one.dot(one)))
+    size = sp.sqrt(expanded(one.dot(one)))
     path = Vector(*(tidy(component / size) for component in one))
     if tidy(one.cross(other)) != 0 or not all(value.is_number for value in path):
         return {}
@@ -144,7 +145,7 @@ def given_by_offsets(scene: Scene) -> tuple[GivenEquation, ...]:
             continue
         sine = tidy(scene.scalar(own.sine))
         link = Link(Apply("sin", Letter(frame.angle.name)), "=", tree_of(sine))
-        above, below = sp.fraction(sp.cancel(sine))
+        above, below = sp.fraction(cancelled(sine))
         residual = below * sp.sin(frame.angle) - above
         equations.append(GivenEquation(fact, link, (residual,)))
     return tuple(equations)

@@ -39,6 +39,7 @@ from restitution.planning.writing.forms import (
     tree_of,
 )
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import derivative, expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import has_nested_roots, plain_direction
@@ -377,10 +378,10 @@ def _multiple(scene: Scene, body: str, velocity: Quantity, equation: GivenEquati
         return None
     (symbol,) = names
     role = roles(scene.problem).get(symbol.name)
-    direction = Vector(*(tidy(sp.diff(x, symbol)) for x in value))
+    direction = Vector(*(tidy(derivative(x, symbol)) for x in value))
     if role is None or any(map(scene.unknown, direction)):
         return None
-    rest = Vector(*(tidy(sp.expand(x.subs(symbol, 0))) for x in value))
+    rest = Vector(*(tidy(expanded(x.subs(symbol, 0))) for x in value))
     return Ray(body, velocity, direction, equation, role, symbol, rest)
 
 
@@ -554,7 +555,7 @@ def _settle(
                 Move("put"), (line, *refs), chain(velocity, (vector_tree(put), None))
             )
         scene.desk.know(
-            velocity, Vector(*(tidy(sp.expand(component)) for component in put)), (line,)
+            velocity, Vector(*(tidy(expanded(component)) for component in put)), (line,)
         )
         known[body] = line
     put, refs = scene.put(change)

@@ -19,6 +19,7 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.vector import Vector
@@ -26,7 +27,7 @@ from restitution.vector import Vector
 
 def vector_tree(value: Vector) -> Expression:
     """A vector, its components multiplied out."""
-    return tree_of(Vector(*(tidy(sp.expand(component)) for component in value)))
+    return tree_of(Vector(*(tidy(expanded(component)) for component in value)))
 
 
 def by_momentum(
@@ -52,7 +53,7 @@ def by_momentum(
     move = Move("law", "momentum-vector", number, scene.bodies(number))
     line = scene.desk.write(move, refs, chain(left, (right, None)))
     rest = whole - late[body] * masses[body].value
-    value = Vector(*(tidy(sp.expand(component / masses[other].value)) for component in rest))
+    value = Vector(*(tidy(expanded(component / masses[other].value)) for component in rest))
     own = Quantity("velocity", (Name(other),), number)
     return value, scene.desk.write(
         Move("rearrange"), (line,), chain(own, (vector_tree(value), None))
@@ -67,7 +68,7 @@ def line_of_change(
         (sphere for sphere in late if not any(scene.initial(sphere).value)), next(iter(late))
     )
     source = scene.initial(body)
-    change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
+    change = Vector(*(expanded(a - b) for a, b in zip(late[body], source.value, strict=True)))
     centres = Quantity("line_of_centres", (), number)
     own = scene.model.frames[number]
     is_found = not any(scene.unknown(value) for value in change)
@@ -138,7 +139,7 @@ def _product_of_difference(pair: tuple[Vector, Vector], change: Vector) -> Expre
     """The scalar product of the difference of two vectors with the change of velocity."""
     terms = []
     for one, other, by in zip(*pair, change, strict=True):
-        one, other, by = (tidy(sp.expand(value)) for value in (one, other, by))
+        one, other, by = (tidy(expanded(value)) for value in (one, other, by))
         if one == other or by == 0:
             continue
         if one == 0 or other == 0:
@@ -152,7 +153,7 @@ def _product(a: Vector, b: Vector) -> Expression:
     """A scalar product, by components."""
     terms = []
     for x, y in zip(a, b, strict=True):
-        one, other = (tidy(sp.expand(value)) for value in (x, y))
+        one, other = (tidy(expanded(value)) for value in (x, y))
         if one == 0 or other == 0:
             continue
         if one.could_extract_minus_sign() and other.could_extract_minus_sign():

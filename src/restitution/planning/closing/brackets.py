@@ -13,7 +13,7 @@ from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.polynomials import IN_PLACE, coefficients_in_place
+from restitution.planning.writing.polynomials import IN_PLACE, coefficients_in_place, expanded
 from restitution.planning.writing.scene import Scene
 
 
@@ -44,7 +44,7 @@ def bracket_alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         return None
     above, below = -parts[0], parts[1]
     if scene.model.sign(below) < 0:
-        above, below = sp.expand(-above), sp.expand(-below)
+        above, below = expanded(-above), expanded(-below)
     value = above / below
     if not value.is_number or value.is_Rational:
         return None

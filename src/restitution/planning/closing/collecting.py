@@ -13,7 +13,7 @@ from itertools import permutations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -84,7 +84,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     tangents = _tangents(link, sides, symbols)
     for angle, t in tangents.items():
         c = sp.cos(angle)
-        sides = [sp.cancel(side.xreplace({sp.sin(angle): t * c})) for side in sides]
+        sides = [cancelled(side.xreplace({sp.sin(angle): t * c})) for side in sides]
     for ratios in (True, False):
         polynomials = _without_common(tuple(sides), generators, ratios)
         own = None if polynomials is None else _written(scene, line, polynomials, symbols, tangents)
@@ -104,7 +104,7 @@ def _tangents(
             case Apply(function, Letter(name) | Degrees(name)):
                 (names if function == "tan" else others).add(name)
     names -= others
-    inside = {symbol for side in sides for symbol in side.free_symbols} - set(symbols)
+    inside = {symbol for side in sides for symbol in symbols_in(side)} - set(symbols)
     own: list[sp.Expr] = [symbol for symbol in inside if symbol.name in names]
     own += [
         _in_radians(size) for size in names if isinstance(size, Fraction) and size % EXACT_ANGLE
@@ -132,7 +132,7 @@ def _with_plain_squares(scene: Scene, line: int) -> int:
             return node
         if not _has_quotient_in_a_sum(node.left):
             return node
-        own = tree_of(tidy(sp.expand(cancelled(scene_value(scene, node.left)))))
+        own = tree_of(tidy(expanded(cancelled(scene_value(scene, node.left)))))
         own = unsigned(own)
         return Binary("^", own, node.right) if len(walk(own)) < len(walk(node.left)) else node
 
@@ -183,11 +183,11 @@ def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> i
     powers = (power for value in values for power in value.atoms(sp.Pow))
     if any(power.free_symbols and not power.exp.is_Integer for power in powers):
         return line
-    fractions = [sp.fraction(sp.together(value)) for value in values]
+    fractions = [sp.fraction(one_fraction(value)) for value in values]
     below = sp.lcm([d for _, d in fractions])
     if not any(d.is_Add or d.has(sp.Add) for _, d in fractions if d.free_symbols & set(symbols)):
         return line
-    parts = [sp.factor_terms(sp.cancel(n * below / d)) for n, d in fractions]
+    parts = [sp.factor_terms(cancelled(n * below / d)) for n, d in fractions]
     common = sp.Mul(*set.intersection(*(set(sp.Mul.make_args(part)) for part in parts)))
     trees: list[Expression] = []
     for part in parts:
@@ -297,11 +297,13 @@ def _is_worked_out(scene: Scene, link: Link, symbol: sp.Symbol) -> bool:
     From 0.8805u = 1.242eu a reader has e at once; other letters are common to all terms.
     """
     sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
-    roots = [power for side in sides for power in side.atoms(sp.Pow) if not power.exp.is_Integer]
+    roots = [
+        power for side in sides for power in atoms_in(side, sp.Pow) if not power.exp.is_Integer
+    ]
     if not any(root.has(sp.sin, sp.cos) for root in roots) or any(r.free_symbols for r in roots):
         return False
     gap = expanded(sides[0] - sides[1])
-    if gap.has(*(f for f in gap.atoms(sp.Function) if f.free_symbols)):
+    if gap.has(*(f for f in atoms_in(gap, sp.Function) if f.free_symbols)):
         return False
     numbers = [gap.coeff(symbol, n).factor() for n in (0, 1)]
     scales = [x.as_independent(*x.free_symbols, as_Add=False)[1] for x in numbers]
@@ -313,7 +315,7 @@ def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.
     """The same of several unknowns: the letters before the ratios of angles."""
     terms: list[sp.Expr] = []
     for symbol in symbols:
-        if not any(symbol in side.free_symbols for side in sides):
+        if not any(symbol in symbols_in(side) for side in sides):
             continue
         own = _generators(sides, symbol)
         if own is None:
@@ -324,11 +326,13 @@ def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.
 
 def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
     """In what the sides are polynomials: the unknown, or its sine and cosine, or its tangent."""
-    functions = {f for side in sides for f in side.atoms(sp.Function) if symbol in f.free_symbols}
+    functions = {
+        f for side in sides for f in atoms_in(side, sp.Function) if symbol in symbols_in(f)
+    }
     bare = [side.xreplace(dict.fromkeys(functions, sp.Dummy())) for side in sides]
-    inside = any(symbol in value.free_symbols for value in bare)
-    roots = {p for side in sides for p in side.atoms(sp.Pow) if not p.exp.is_Integer}
-    if any(symbol in root.free_symbols for root in roots):
+    inside = any(symbol in symbols_in(value) for value in bare)
+    roots = {p for side in sides for p in atoms_in(side, sp.Pow) if not p.exp.is_Integer}
+    if any(symbol in symbols_in(root) for root in roots):
         return None
     if not functions:
         return (symbol,) if inside else None
@@ -394,7 +398,7 @@ def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
     of_an_angle = len(gens) > 1 and not any(value.is_Symbol for value in gens)
     for m in one.keys() & other.keys() if of_an_angle else ():
         # Of sines and cosines like terms stand on one side: 2e cos²α, and not e cos²α on both.
-        share = sp.cancel(other[m] / one[m]) if one[m] != 0 else sp.S.One
+        share = cancelled(other[m] / one[m]) if one[m] != 0 else sp.S.One
         if any(m) and share.is_Rational and share != 1:
             near, far = (one, other) if share < 1 else (other, one)
             near[m], far[m] = expanded(near[m] - far[m]), sp.S.Zero
@@ -467,9 +471,9 @@ def _has_common(
     sides: Sequence[sp.Expr], polynomials: Polynomials, tangents: Iterable[sp.Expr]
 ) -> int:
     """1 where a letter was common to all terms, and is gone."""
-    before = {x for side in sides for x in side.free_symbols}
+    before = {x for side in sides for x in symbols_in(side)}
     after = {x for polynomial in polynomials for x in polynomial.free_symbols_in_domain}
-    after |= {x for polynomial in polynomials for g in polynomial.gens for x in g.free_symbols}
+    after |= {x for polynomial in polynomials for g in polynomial.gens for x in symbols_in(g)}
     after |= set(tangents)
     return int(bool(before - after))
 

@@ -10,7 +10,7 @@ from restitution.explaining.lines.derivation import Move, equality
 from restitution.expression.tree import Negate
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.writing.forms import ZERO, outer_terms, total, tree_of
-from restitution.planning.writing.polynomials import factored
+from restitution.planning.writing.polynomials import cancelled, factored
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -47,7 +47,7 @@ def without_common_factor(scene: Scene, number: int, symbol: sp.Symbol) -> int |
     numbers = [number_ for number_, _ in rest]
     common *= sp.Rational(sp.igcd(*(n.p for n in numbers)), sp.ilcm(*(n.q for n in numbers)))
     common *= sp.gcd_list([term for _, term in rest])
-    left = [sp.cancel(term / common) for term in terms]
+    left = [cancelled(term / common) for term in terms]
     if all(isinstance(tree, Negate) for tree in trees):
         left = [-value for value in left]
     if not any(symbol in value.free_symbols for value in left):

@@ -25,7 +25,7 @@ from restitution.planning.writing.forms import (
     square,
     tree_of,
 )
-from restitution.planning.writing.polynomials import cancelled, numerator
+from restitution.planning.writing.polynomials import cancelled, numerator, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -57,7 +57,7 @@ def in_single_and_double(scene: Scene, line: int, symbol: sp.Symbol) -> SingleAn
     single = {sp.sin(x): t * sp.cos(x), sp.tan(x): t}
     doubled = {sp.sin(double): double_t * sp.cos(double), sp.tan(double): double_t}
     factor = cancelled(numerator(own.subs(single).subs(doubled)))
-    return SingleAndDouble(sp.Poly(factor, t, double_t), small)
+    return SingleAndDouble(polynomial_in(factor, t, double_t), small)
 
 
 def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:

@@ -11,6 +11,7 @@ from restitution.expression.tree import Apply, Degrees, Expression, Letter, walk
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import one_fraction, polynomial_in
 from restitution.planning.writing.scene import Scene
 
 
@@ -28,10 +29,10 @@ def by_ratios_as_they_are(scene: Scene, number: int, symbol: sp.Symbol) -> int |
     aside: dict[Expression, Expression] = {e: Letter(f"ratio_{n}") for n, e in enumerate(rooted)}
     put = {f"ratio_{n}": sp.Dummy(f"ratio_{n}", positive=True) for n in range(len(rooted))}
     sides = [scene_value(scene, exchanged(e, aside), put) for e in (link.left, link.right)]
-    above = sp.fraction(sp.together(sides[0] - sides[1]))[0]
+    above = sp.fraction(one_fraction(sides[0] - sides[1]))[0]
     if not above.is_polynomial(symbol) or sp.degree(above, symbol) != 1:
         return None
-    poly = sp.Poly(above, symbol)
+    poly = polynomial_in(above, symbol)
     named = {own: sp.Symbol(name, positive=True) for name, own in put.items()}
     own = sp.factor(-poly.nth(0) / poly.nth(1)).xreplace(named)
     tree = exchanged(tree_of(own), {letter: node for node, letter in aside.items()})

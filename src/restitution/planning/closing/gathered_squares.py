@@ -20,7 +20,13 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factored,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.scene import Scene
 
 _MOVES = (Move("rearrange"), Move("cancel"))
@@ -65,7 +71,7 @@ def _shares(values: Sequence[sp.Expr], angle: sp.Symbol) -> list[list[sp.Expr]] 
         if value == 0:
             continue
         try:
-            poly = sp.Poly(expanded(value), sp.sin(angle), sp.cos(angle))
+            poly = polynomial_in(expanded(value), sp.sin(angle), sp.cos(angle))
         except sp.PolynomialError:
             return None
         for powers, share in poly.terms():

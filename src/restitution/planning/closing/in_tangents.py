@@ -14,11 +14,12 @@ from restitution.explaining.lines.derivation import Link, Move, Relation, Sign, 
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Expression, Letter, walk
 from restitution.planning.writing.forms import ZERO, total, tree_of
+from restitution.planning.writing.polynomials import expanded, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
 _T = sp.Symbol("t", positive=True)
-_SQUARE = sp.Poly(1 + _T**2, _T)
+_SQUARE = polynomial_in(1 + _T**2, _T)
 # The degree of an equation that people solve.
 _MOST = 2
 
@@ -38,7 +39,7 @@ def write_in_tangents(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[int, 
             powers[base] = max(power, powers.get(base, power))
     below = sp.Mul(*(base**power for base, power in powers.items() if base.has(_T)))
     left, right = ([value * below for value in side] for side in (left, right))
-    gap = sp.expand(sp.Add(*left) - sp.Add(*right))
+    gap = expanded(sp.Add(*left) - sp.Add(*right))
     if not below.has(_T) or not gap.is_polynomial(_T):
         return None
     quotient, remainder = sp.div(sp.Poly(gap, _T, extension=True), _SQUARE)
@@ -57,7 +58,7 @@ def write_in_tangents(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[int, 
         moves = (Move("identity", "pythagoras"),) if step is steps[0] else _STEPS
         number = number and scene.judge.write(moves, (number, *known), relation)
     value = quotient.monic().as_expr()
-    value = sp.expand(value * sp.ilcm(1, *(sp.fraction(e)[1] for e in quotient.monic().coeffs())))
+    value = expanded(value * sp.ilcm(1, *(sp.fraction(e)[1] for e in quotient.monic().coeffs())))
     last = equality(_in_tangent(value, symbol), ZERO)
     number = number and scene.judge.write(_STEPS, (number, *known), last)
     if number is None:
@@ -92,7 +93,7 @@ def _difference_of_squares(terms: Sequence[sp.Expr]) -> tuple[sp.Expr, sp.Expr] 
     if power != second or power != _MOST or not (one * other).is_polynomial(_T):
         return None
     roots = one, other
-    factors = [sp.Poly(sp.expand(roots[0] + k * roots[1]), _T, extension=True) for k in (-1, 1)]
+    factors = [sp.Poly(expanded(roots[0] + k * roots[1]), _T, extension=True) for k in (-1, 1)]
     for one, other in (factors, factors[::-1]):
         whole, remainder = sp.div(other, _SQUARE)
         if remainder.is_zero and whole.degree() == 0:

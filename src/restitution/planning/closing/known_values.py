@@ -8,6 +8,7 @@ from dataclasses import fields
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import (
     Link,
     Move,
@@ -87,7 +88,7 @@ def _settled(tree: Expression) -> Expression:
 
 def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
     """The line with sums of angles by the formulae, where an angle is known."""
-    for other in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
+    for other in sorted(symbols_in(residual(scene, number)), key=lambda s: s.name):
         known = scene.desk.known(Letter(other.name))
         if _is_known(scene, Letter(other.name)):
             continue  # 60° − 45° is an angle by itself

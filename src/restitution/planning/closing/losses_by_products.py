@@ -155,7 +155,7 @@ class _Loss:
 def _is_long(value: sp.Expr) -> bool:
     """Whether the square of a component would be multiplied out in many terms."""
     above = sp.fraction(one_fraction(value))[0]
-    return len(sp.Add.make_args(sp.expand(above))) > _SQUARED
+    return len(sp.Add.make_args(expanded(above))) > _SQUARED
 
 
 __all__ = ["write_loss_by_products"]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import sympy as sp
 
 from restitution.exact import in_one_ratio, tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Letter
 from restitution.expression.writing import write_expression
@@ -18,7 +18,7 @@ from restitution.planning.closing.square_roots import as_square
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.desk import Source, chain
 from restitution.planning.writing.forms import product, square, swept, tree_of
-from restitution.planning.writing.polynomials import expanded, numerator
+from restitution.planning.writing.polynomials import cancelled, expanded, numerator, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -56,7 +56,7 @@ def _in_the_ratio_of(rest: sp.Expr, inside: sp.Expr, angle: sp.Symbol) -> sp.Exp
 def _parted(whole: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
     """A sum ``a√q + b`` as a, q and b; None of another one. The root may stand in two factors."""
     half = sp.Rational(1, 2)
-    roots = [p for p in whole.atoms(sp.Pow) if p.exp == half and p.has(symbol)]
+    roots = [p for p in atoms_in(whole, sp.Pow) if p.exp == half and p.has(symbol)]
     names = [sp.Dummy(positive=True) for _ in roots]
     bare = whole.xreplace(dict(zip(roots, names, strict=True)))
     ratios = [ratio for ratio in (sp.sin(symbol), sp.cos(symbol)) if bare.has(ratio)]
@@ -68,7 +68,7 @@ def _parted(whole: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Exp
         return None
     factor, rest = poly.nth(*(1 for _ in roots)), poly.nth(*(0 for _ in roots))
     common = sp.gcd(factor, rest)
-    factor, rest = (expanded(sp.cancel(value / common)) for value in (factor, rest))
+    factor, rest = (expanded(cancelled(value / common)) for value in (factor, rest))
     if not all(value.is_polynomial(*(ratios or (symbol,))) for value in (factor, rest)):
         return None
     return factor, expanded(sp.Mul(*(root.base for root in roots))), rest
@@ -100,11 +100,11 @@ def _given(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
 def in_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """An equation of the fourth degree in which only even powers stand: by the square."""
     above = numerator(residual(scene, number))
-    if symbol**4 not in above.atoms(sp.Pow):
+    if symbol**4 not in atoms_in(above, sp.Pow):
         return None
     if symbol in inside_functions(above) or not above.is_polynomial(symbol):
         return None
-    poly = sp.Poly(above, symbol)
+    poly = polynomial_in(above, symbol)
     if poly.degree() != 4 or poly.nth(3) != 0 or poly.nth(1) != 0:
         return None
     y = sp.Dummy("y", positive=True)
@@ -124,7 +124,7 @@ def _of_square(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     first, last = (
         (value, -value) if scene.model.sign(scene.model.in_data(value)) > 0 else (-value, value)
     )
-    own = as_square(tidy(sp.expand(value**2)))
+    own = as_square(tidy(expanded(value**2)))
     if own is not None:
         shown = chain(square(Letter(symbol.name)), (own, None))
         line = scene.judge.write((Move("rearrange"),), [line], shown) or line

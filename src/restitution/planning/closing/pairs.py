@@ -24,7 +24,13 @@ from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import ONE, product, square, swept, total, tree_of
-from restitution.planning.writing.polynomials import expanded, numerator
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    numerator,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -77,7 +83,7 @@ def _linear(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     rows = [_above(scene, number) for number in lines]
     if any(inside_functions(row) & set(unknowns) for row in rows):
         return False
-    polys = [sp.Poly(row, x, y) for row in rows]
+    polys = [polynomial_in(row, x, y) for row in rows]
     if any(poly.total_degree() != 1 for poly in polys):
         return False
     if any(set(poly.gens) & poly.free_symbols_in_domain for poly in polys):
@@ -108,7 +114,7 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     lines = _parted(scene, lines, v, theta)
     parts = []
     for line, ratio in zip(lines, (sp.cos(theta), sp.sin(theta)), strict=True):
-        poly = sp.Poly(_above(scene, line), v, ratio)
+        poly = polynomial_in(_above(scene, line), v, ratio)
         if set(poly.monoms()) - {(1, 1), (0, 0)} or (1, 1) not in poly.monoms():
             return False
         if poly.free_symbols_in_domain & {v, theta}:
@@ -193,7 +199,7 @@ def _divided(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     rows = [_above(scene, line) for line in lines]
     if v in set().union(*map(inside_functions, rows)):
         return False
-    polys = [sp.Poly(row, v) for row in rows]
+    polys = [polynomial_in(row, v) for row in rows]
     if any(poly.degree() != 1 for poly in polys):
         return False
     (a, b), (c, d) = ((poly.nth(1), -poly.nth(0)) for poly in polys)
@@ -227,7 +233,7 @@ def _expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     own = _above(scene, lines[0])
     if x in inside_functions(own) or x not in own.free_symbols:
         return False
-    poly = sp.Poly(own, x)
+    poly = polynomial_in(own, x)
     if poly.degree() != 1 or x in inside_functions(_with_roots_undone(_above(scene, lines[1]))):
         return False
     value = tidy(-poly.nth(0) / poly.nth(1))
@@ -246,8 +252,10 @@ def _square_of_unknown(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     own, other = (_above(scene, line) for line in lines)
     if x in inside_functions(own) | inside_functions(other) or x not in own.free_symbols:
         return False
-    poly = sp.Poly(own, x)
-    if set(poly.monoms()) != {(2,), (0,)} or any(n % 2 for (n,) in sp.Poly(other, x).monoms()):
+    poly = polynomial_in(own, x)
+    if set(poly.monoms()) != {(2,), (0,)} or any(
+        n % 2 for (n,) in polynomial_in(other, x).monoms()
+    ):
         return False
     value = tidy(-poly.nth(0) / poly.nth(2))
     return _put_in(scene, lines, unknowns, square(Letter(x.name)), value, Move("rearrange"))
@@ -261,7 +269,7 @@ def _ratio_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     if len(functions) != 1:
         return False
     (ratio,) = functions
-    poly = sp.Poly(own, ratio)
+    poly = polynomial_in(own, ratio)
     if poly.degree() != 1 or x in inside_functions(other.subs(ratio, sp.Dummy())):
         return False
     value = tidy(-poly.nth(0) / poly.nth(1))
@@ -284,7 +292,7 @@ def _ratio_with_squares(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
         rest = (sp.cos if isinstance(ratio, sp.sin) else sp.sin)(*ratio.args)
         if not whole.is_polynomial(ratio, rest):
             return False
-        if any(n % 2 for (n,) in sp.Poly(whole, rest).monoms()):
+        if any(n % 2 for (n,) in polynomial_in(whole, rest).monoms()):
             return False
         whole = expanded(in_one_ratio(whole, ratio, rest))
     if whole == other or inside_functions(sp.Poly(whole, *tied).as_expr().subs(_dummies(tied))):
@@ -304,7 +312,7 @@ def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """A square of sine or cosine, by sin² + cos² = 1 from one equation, put into the other."""
     x, _ = unknowns
     s, c = sp.sin(x), sp.cos(x)
-    own, other = (sp.Poly(_above(scene, line), s, c) for line in lines)
+    own, other = (polynomial_in(_above(scene, line), s, c) for line in lines)
     if set(own.monoms()) - {(2, 0), (0, 2), (0, 0)}:
         return False
     if any(x in poly.free_symbols_in_domain for poly in (own, other)):
@@ -329,7 +337,7 @@ def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
 def _square_by_a_tangent(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """A square of sine or cosine, where one equation is of squares alone: cos²α = e sin²α."""
     for angle, other in (unknowns, unknowns[::-1]):
-        own = sp.Poly(_above(scene, lines[0]), sp.sin(angle), sp.cos(angle))
+        own = polynomial_in(_above(scene, lines[0]), sp.sin(angle), sp.cos(angle))
         if set(own.monoms()) == {(2, 0), (0, 2)}:
             return _square_expressed(scene, lines, (angle, other))
     return False
@@ -347,7 +355,7 @@ def _as_multiple(scene: Scene, line: int, own: sp.Poly, place: int, subject: Exp
         return line
     size = sp.factor_list(above)[0]
     size = -size if scene.model.sign(-rest / size) < 0 else size
-    multiple = sp.expand(above / size)
+    multiple = expanded(above / size)
     tree = product(tree_of(multiple), subject)
     relation = chain(tree, (tree_of(tidy(-rest / size)), None))
     source = scene.desk.line(line)
@@ -395,9 +403,9 @@ def _reduced(scene: Scene, line: int) -> int:
     sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
     if not all(side.is_rational_function() for side in sides):
         return line
-    plain = [sp.cancel(side) for side in sides]
+    plain = [cancelled(side) for side in sides]
     if not any(
-        not sp.fraction(sp.together(a))[1].is_number and sp.fraction(b)[1].is_number
+        not sp.fraction(one_fraction(a))[1].is_number and sp.fraction(b)[1].is_number
         for a, b in zip(sides, plain, strict=True)
     ):
         return line

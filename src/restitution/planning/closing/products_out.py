@@ -14,6 +14,7 @@ from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import outer_terms, total, tree_of
+from restitution.planning.writing.polynomials import expanded, one_fraction, polynomial_in
 from restitution.planning.writing.scene import Scene
 
 _QUADRATIC = 2
@@ -44,13 +45,13 @@ def with_products_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
 
 def _multiplied(scene: Scene, term: Expression, symbol: sp.Symbol) -> Expression | None:
     """A term as a polynomial over a number; None of one that is none of up to degree 2."""
-    value = sp.expand(scene_value(scene, term))
+    value = expanded(scene_value(scene, term))
     if not value.has(symbol):
         return term
     if not value.is_polynomial(symbol):
         return None
-    above, below = sp.fraction(sp.together(value))
-    polynomial = sp.Poly(above, symbol)
+    above, below = sp.fraction(one_fraction(value))
+    polynomial = polynomial_in(above, symbol)
     if polynomial.degree() > _QUADRATIC or not all(e.is_Rational for e in polynomial.coeffs()):
         return None
     if polynomial.degree() < _QUADRATIC:

@@ -16,7 +16,12 @@ from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import Source, chain
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.polynomials import expanded, factor_powers, numerator
+from restitution.planning.writing.polynomials import (
+    expanded,
+    factor_powers,
+    numerator,
+    polynomial_in,
+)
 from restitution.planning.writing.scene import Scene
 
 _LEAST = 3
@@ -30,7 +35,7 @@ def pure_power(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     factors = [(base, power) for base, power in factor_powers(above) if base.has(symbol)]
     if not factors:
         return None
-    polynomial = sp.Poly(expanded(sp.Mul(*(base**power for base, power in factors))), symbol)
+    polynomial = polynomial_in(expanded(sp.Mul(*(base**power for base, power in factors))), symbol)
     degree = polynomial.degree()
     if degree < _LEAST or {power for (power,) in polynomial.monoms()} != {degree, 0}:
         return None

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import in_sines, tidy, tidy_angle
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
@@ -38,7 +38,13 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import cancelled, expanded, factored, numerator
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factored,
+    numerator,
+    polynomial_in,
+)
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Value
@@ -50,8 +56,8 @@ _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 def inside_functions(x: sp.Expr) -> set[Any]:
     """The letters that stand in functions, or under roots."""
-    roots = (power for power in x.atoms(sp.Pow) if not power.exp.is_Integer)
-    return {s for value in (*x.atoms(sp.Function), *roots) for s in value.free_symbols}
+    roots = (power for power in atoms_in(x, sp.Pow) if not power.exp.is_Integer)
+    return {s for value in (*atoms_in(x, sp.Function), *roots) for s in symbols_in(value)}
 
 
 def functions_of(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> frozenset[sp.Expr] | None:
@@ -95,7 +101,7 @@ def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
         (kind,) = kinds
         return _by_one(scene, line, numerator(own), kind, symbol)
     above = numerator(in_sines(own, symbol))
-    mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
+    mixed = polynomial_in(above, sp.sin(symbol), sp.cos(symbol))
     degrees = {sum(monom) for monom in mixed.monoms()}
     if len(degrees) != 1:
         return None
@@ -135,7 +141,7 @@ def _one_term_a_side(scene: Scene, line: int, symbol: sp.Symbol) -> int:
 
 def _over_cosines(above: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     """A form in sine and cosine of one degree, divided by cosines until tangents are left."""
-    mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
+    mixed = polynomial_in(above, sp.sin(symbol), sp.cos(symbol))
     least = min(m[1] for m in mixed.monoms())
     top = max(sum(m) for m in mixed.monoms()) - least
     return sum((c * sp.tan(symbol) ** m[0] for m, c in mixed.terms() if m[0] <= top), sp.Integer(0))
@@ -148,7 +154,7 @@ def by_its_half(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     s, c = sp.sin(symbol), sp.cos(symbol)
     if functions is None or functions != {s, c}:
         return None
-    poly = sp.Poly(numerator(own), s, c)
+    poly = polynomial_in(numerator(own), s, c)
     if poly.total_degree() != 1 or poly.nth(0, 1) != poly.nth(0, 0) or poly.nth(1, 0) == 0:
         return None
     value = tidy(-poly.nth(0, 1) / poly.nth(1, 0))
@@ -225,7 +231,7 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
     """An equation in one ratio: linear, or by its roots; then the angle."""
     subject = Apply(kind.__name__, Letter(symbol.name))
     generator = kind(symbol)
-    poly = sp.Poly(above, generator)
+    poly = polynomial_in(above, generator)
     if any(symbol in coeff.free_symbols for coeff in poly.coeffs()):
         return None
     by_tangent = _by_its_tangent(scene, line, poly, kind, symbol)
@@ -319,7 +325,7 @@ def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> 
         ),
         sp.Integer(0),
     )
-    again = sp.Poly(expanded(above), s, c)
+    again = polynomial_in(expanded(above), s, c)
     common = sp.gcd_list(again.coeffs())
     terms = {m: cancelled(k / common) for m, k in again.terms()}
     left = [(m, k) for m, k in terms.items() if scene.model.sign(k) > 0]
@@ -363,9 +369,9 @@ def _of_one_angle(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr | None:
 def _in_both_ratios(own: sp.Expr, symbol: sp.Symbol) -> sp.Poly:
     """A residual as a polynomial in the sine and the cosine of an angle."""
     s, c = sp.sin(symbol), sp.cos(symbol)
-    mixed = sp.Poly(numerator(in_sines(own, symbol)), s, c)
+    mixed = polynomial_in(numerator(in_sines(own, symbol)), s, c)
     whole = mixed.primitive()[1] if mixed.domain.is_QQ else mixed
-    return sp.Poly(whole.as_expr(), s, c)
+    return polynomial_in(whole.as_expr(), s, c)
 
 
 def _with_the_sum_of_squares(
@@ -480,7 +486,7 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     ]
     if not sums:
         return None
-    mixed = sp.Poly(
+    mixed = polynomial_in(
         numerator(in_sines(sp.expand_trig(residual(scene, line)), symbol)),
         sp.sin(symbol),
         sp.cos(symbol),
@@ -519,7 +525,7 @@ def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol)
     expansions: dict[Expression, Expression] = {}
     sine, cosine = sp.sin(symbol), sp.cos(symbol)
     for function in sums:
-        value = sp.expand(sp.expand_trig(scene.scalar(function)))
+        value = expanded(sp.expand_trig(scene.scalar(function)))
         rest = value - value.coeff(sine) * sine - value.coeff(cosine) * cosine
         if function.function == "tan" or rest != 0:
             return None

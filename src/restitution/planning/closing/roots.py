@@ -49,7 +49,13 @@ from restitution.planning.writing.forms import (
     swept,
     tree_of,
 )
-from restitution.planning.writing.polynomials import expanded, factor_powers, factored
+from restitution.planning.writing.polynomials import (
+    expanded,
+    factor_powers,
+    factored,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -81,10 +87,10 @@ def by_roots(
     linear = linear_factors(scene, number, symbol) if generator == symbol else []
     sides = sides_but_for_sign(scene, number, symbol) if generator == symbol else None
     if sides is not None:
-        linear = [sp.expand(sides[0] - sides[1]), sp.expand(sides[0] + sides[1])]
+        linear = [expanded(sides[0] - sides[1]), expanded(sides[0] + sides[1])]
     if sides is not None or (len(linear) > 1 and any(value.atoms(sp.Pow) for value in linear)):
         factors = [(value, 1) for value in linear]  # with roots of numbers they are not found again
-    polynomials = [_without_root_in_front(sp.Poly(base, generator)) for base, _ in factors]
+    polynomials = [_without_root_in_front(polynomial_in(base, generator)) for base, _ in factors]
     if not factors or any(
         polynomial.degree() > 2
         or symbol in (c for x in polynomial.coeffs() for c in x.free_symbols)
@@ -406,11 +412,11 @@ def _real_roots(scene: Scene, number: int, polynomial: sp.Poly) -> list[sp.Expr]
 
 def _quotient_root(scene: Scene, square_: sp.Expr) -> sp.Expr | None:
     """The root of a quotient with a sum below, in one root; None of another."""
-    factors = sp.factor_list(sp.together(square_).as_numer_denom()[1])[1]
+    factors = sp.factor_list(one_fraction(square_).as_numer_denom()[1])[1]
     if not any(base.is_Add and power % 2 for base, power in factors):
         return None
     (above, left_above), (below, left_below) = map(
-        _squares_out, sp.together(square_).as_numer_denom()
+        _squares_out, one_fraction(square_).as_numer_denom()
     )
     if scene.model.sign(scene.model.in_data(left_below)) < 0:
         left_above, left_below = expanded(-left_above), expanded(-left_below)
@@ -434,7 +440,7 @@ def in_standard_form(
     scene: Scene, number: int, above: sp.Expr, generator: sp.Expr, subject: Expression
 ) -> int:
     """The equation as ``x² = c`` or ``ax² + bx + c = 0``, where it does not stand so already."""
-    polynomial = sp.Poly(above, generator)
+    polynomial = polynomial_in(above, generator)
     higher = polynomial.degree() > 2 and all(c.is_number for c in polynomial.all_coeffs())
     fourth = polynomial.degree() == 4 and not polynomial.nth(3) and not polynomial.nth(1)
     if polynomial.degree() != 2 and not fourth and not higher:
@@ -488,7 +494,7 @@ def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:
     values = [scene_value(scene, tree) for tree in outer_terms(link.left)]
     if len(letters(link.left)) < 2 or not all(value.is_polynomial(letter) for value in values):
         return False
-    polynomials = [sp.Poly(value, letter) for value in values]
+    polynomials = [polynomial_in(value, letter) for value in values]
     powers = [polynomial.degree() for polynomial in polynomials]
     return all(polynomial.is_monomial for polynomial in polynomials) and powers == [2, 1, 0]
 
@@ -496,7 +502,7 @@ def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:
 def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
     """A polynomial without a common factor, and with what is positive in front."""
     x = sp.Dummy(real=True)
-    _, rest = _without_root_in_front(sp.Poly(above.xreplace({generator: x}), x)).primitive()
+    _, rest = _without_root_in_front(polynomial_in(above.xreplace({generator: x}), x)).primitive()
     return -rest if scene.model.sign(rest.LC()) < 0 else rest
 
 
@@ -513,11 +519,11 @@ def _without_root_in_front(polynomial: sp.Poly) -> sp.Poly:
     if not (root.is_Pow and root.base.is_Integer and root.exp == sp.Rational(1, 2)):
         return polynomial
     divided = sp.Poly(
-        [sp.expand(coefficient / root) for coefficient in polynomial.all_coeffs()], polynomial.gen
+        [expanded(coefficient / root) for coefficient in polynomial.all_coeffs()], polynomial.gen
     )
     before, after = (sum(c.has(root) for c in e.all_coeffs()) for e in (polynomial, divided))
     whole = all(
-        sp.fraction(sp.together(coefficient))[1] == 1 for coefficient in divided.all_coeffs()
+        sp.fraction(one_fraction(coefficient))[1] == 1 for coefficient in divided.all_coeffs()
     )
     return divided if after < before and whole else polynomial
 
@@ -535,7 +541,7 @@ def _in_factors(
     """
     if scene.desk.last_link(number).right != ZERO:
         return number
-    degrees = [sp.Poly(factor, generator).degree() for factor in factors]
+    degrees = [polynomial_in(factor, generator).degree() for factor in factors]
     root = _double_root(factors, generator)
     if root is not None:
         above, below = sp.fraction(root)
@@ -561,7 +567,7 @@ def _in_order(factor: sp.Poly) -> tuple[int, bool, bool, str]:
 
 def _double_root(factors: Sequence[sp.Expr], generator: sp.Expr) -> sp.Expr | None:
     """The only root of a quadratic in numbers that is a square; None of any other."""
-    polynomials = [sp.Poly(factor, generator) for factor in factors]
+    polynomials = [polynomial_in(factor, generator) for factor in factors]
     if len(polynomials) != 1 or polynomials[0].degree() != 2:
         return None
     a, b, c = polynomials[0].all_coeffs()

@@ -13,7 +13,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import in_one_ratio, tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.explaining.lines.derivation import (
     Move,
     Ref,
@@ -84,6 +84,7 @@ from restitution.planning.writing.polynomials import (
     factor_powers,
     factored,
     numerator,
+    polynomial_in,
     polynomial_without,
 )
 from restitution.planning.writing.premises import background, nonzero, not_negative
@@ -102,7 +103,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     """Solves a line for the only unknown in it. Raises NotPlannedError for other shapes."""
     number = with_known(scene, number, symbol)
     symbol = unknown_of(scene, number, symbol)
-    if symbol not in residual(scene, number).free_symbols:
+    if symbol not in symbols_in(residual(scene, number)):
         raise NotPlannedError(f"{symbol} is not in line {number}")
     number = _by_sine_and_cosine(scene, without_complements(scene, number), symbol)
     number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
@@ -138,20 +139,20 @@ def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
     So 16 = (2 − v)² cos²α + 16 sin²α is 16 = (2 − v)².
     """
     above = numerator(residual(scene, number))
-    for sine in sorted(above.atoms(sp.sin), key=str):
+    for sine in sorted(atoms_in(above, sp.sin), key=str):
         cosine = sp.cos(*sine.args)
-        if symbol in sine.free_symbols or cosine not in above.atoms(sp.cos):
+        if symbol in sine.free_symbols or cosine not in atoms_in(above, sp.cos):
             continue
         if not above.is_polynomial(sine, cosine):
             continue
-        if any(m[0] % 2 for m in sp.Poly(above, sine, cosine).monoms()):
+        if any(m[0] % 2 for m in polynomial_in(above, sine, cosine).monoms()):
             continue
         put = in_one_ratio(above, cosine, sine)
         powers = [(b, n) for b, n in factor_powers(put) if symbol in b.free_symbols]
         whole = expanded(sp.Mul(*(base**power for base, power in powers)))
         if not powers or whole.has(sine, cosine) or not whole.is_polynomial(symbol):
             continue
-        if scene.model.sign(sp.Poly(whole, symbol).LC()) < 0:
+        if scene.model.sign(polynomial_in(whole, symbol).LC()) < 0:
             whole = -whole
         relation = chain(tree_of(whole), (ZERO, None))
         known = background(scene, symbol_names(above))
@@ -305,7 +306,7 @@ def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:
 def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """Linear in the unknown: it is made the subject."""
     above = numerator(residual(scene, number))
-    if symbol in inside_functions(above) or symbol not in above.free_symbols:
+    if symbol in inside_functions(above) or symbol not in symbols_in(above):
         return None
     if sides_but_for_sign(scene, number, symbol) is not None:
         return None  # two equal squares have two roots, of which one may cancel
@@ -316,7 +317,7 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return known_as(scene, symbol, scene.scalar(scene.desk.last_link(line).right), line)
     number = with_squares_apart(scene, number, symbol)
     for form in (above, _uncertain(scene, above, symbol)):
-        poly = sp.Poly(form, symbol)
+        poly = polynomial_in(form, symbol)
         if poly.degree() != 1:
             continue
         value = tidy(-poly.nth(0) / poly.nth(1))
@@ -373,7 +374,7 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     halved = write_by_single_tangents(scene, number)
     if halved is not None:
         return _by_tangents(scene, halved, symbol)
-    poly = sp.Poly(numerator(sp.cancel(gap)), symbol)
+    poly = polynomial_in(numerator(cancelled(gap)), symbol)
     functions = poly.as_expr().atoms(sp.Function)
     if poly.degree() != 1 or any(e.free_symbols or isinstance(e, sp.cos) for e in functions):
         return None
@@ -414,7 +415,7 @@ def is_over_roots(above: sp.Expr, symbol: sp.Symbol) -> bool:
     whole = numerator(above)
     if symbol in inside_functions(whole) or sp.degree(whole, symbol) != 1:
         return False
-    return bool(_without_letters(sp.Poly(whole, symbol).nth(1))[0].is_Add)
+    return bool(_without_letters(polynomial_in(whole, symbol).nth(1))[0].is_Add)
 
 
 @remembered(1024)
@@ -520,7 +521,7 @@ def _without_a_factor(scene: Scene, number: int, symbol: sp.Symbol) -> Source | 
 def _without_an_angle(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """An angle of the data goes, as sin² + cos² = 1; what is left is solved."""
     whole = numerator(residual(scene, number))
-    angles = {f.args[0] for f in whole.atoms(sp.sin, sp.cos)} - {symbol}
+    angles = {f.args[0] for f in atoms_in(whole, sp.sin, sp.cos)} - {symbol}
     gone = [angle for angle in sorted(angles, key=str) if angle.is_Symbol and _goes(whole, angle)]
     if not gone or symbol in inside_functions(whole):
         return None
@@ -548,10 +549,10 @@ def _without_the_sum_of_squares(scene: Scene, number: int, symbol: sp.Symbol) ->
             continue
         if not value.is_polynomial(s, c) or symbol in inside_functions(value.subs({s: 1, c: 1})):
             return None
-        poly = sp.Poly(value, s, c)
+        poly = polynomial_in(value, s, c)
         if poly.domain.is_EX:
             return None  # ratios of degrees among the coefficients
-        whole, rest = sp.div(poly, sp.Poly(s**2 + c**2, s, c))
+        whole, rest = sp.div(poly, polynomial_in(s**2 + c**2, s, c))
         # A number beside both squares is no factor that stands there already.
         out = rest.is_zero and not whole.is_zero and whole.total_degree() > 0
         sides.append(tree_of(tidy(whole.as_expr())) if out else side)

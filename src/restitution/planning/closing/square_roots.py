@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -34,7 +35,14 @@ from restitution.planning.writing.forms import (
     swept,
     tree_of,
 )
-from restitution.planning.writing.polynomials import IN_PLACE, coefficients_in_place
+from restitution.planning.writing.polynomials import (
+    IN_PLACE,
+    cancelled,
+    coefficients_in_place,
+    expanded,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.work import remembered
@@ -168,7 +176,7 @@ def linear_factors(scene: Scene, number: int, symbol: sp.Symbol) -> list[sp.Expr
             factors = [factor for factor in factors_above(whole) if symbol.name in letters(factor)]
             values = [sp.sympify(scene_value(scene, factor), strict=True) for factor in factors]
             if all(
-                value.is_polynomial(symbol) and sp.Poly(value, symbol).degree() == 1
+                value.is_polynomial(symbol) and polynomial_in(value, symbol).degree() == 1
                 for value in values
             ):
                 return values
@@ -247,12 +255,12 @@ def sides_but_for_sign(
     sides = (sp.sympify(scene_value(scene, tree), strict=True) for tree in (left, right))
     one, other = side_by_side(*sides)
     for value in (one, other):
-        if not value.is_polynomial(symbol) or sp.degree(value, symbol) > 1:
+        if not value.is_polynomial(symbol) or polynomial_in(value, symbol).degree() > 1:
             return None
-        if symbol not in value.free_symbols and _speeds_of_one_component(scene, number) is None:
+        if symbol not in symbols_in(value) and _speeds_of_one_component(scene, number) is None:
             return None
     # Equal and opposite sides are two equations of the first degree.
-    ends = (sp.expand(one - other), sp.expand(one + other))
+    ends = (expanded(one - other), expanded(one + other))
     return (one, other) if all(sp.degree(end, symbol) == 1 for end in ends) else None
 
 
@@ -299,14 +307,14 @@ def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
         squares = [e for e in own if is_square(e) and symbol.name in letters(e)]
         if len(squares) != 1:
             return number
-        share = sp.cancel(scene_value(scene, term) / scene_value(scene, squares[0]))
+        share = cancelled(scene_value(scene, term) / scene_value(scene, squares[0]))
         if symbol in share.free_symbols:
             return number
         shares[squares[0]] = shares.get(squares[0], sp.S.Zero) + share
     if len(shares) != 2 or 0 in shares.values():
         return number
     common = sp.gcd_list(list(shares.values()))
-    (one, a), (other, b) = ((tree, sp.cancel(share / common)) for tree, share in shares.items())
+    (one, a), (other, b) = ((tree, cancelled(share / common)) for tree, share in shares.items())
     if scene.model.sign(a) < 0:
         a, b = -a, -b
     relation = chain(product(tree_of(a), one), (product(tree_of(-b), other), None))
@@ -319,21 +327,22 @@ def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
 
 
 @remembered(512)
+@remembered(512)
 def side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
     """Two sides without what is below a line, and without a common factor."""
-    (a, b), (c, d) = (sp.fraction(sp.together(value)) for value in (one, other))
+    (a, b), (c, d) = (sp.fraction(one_fraction(value)) for value in (one, other))
     if any(
         node.is_number and not node.is_Rational for x in (b, d) for node in sp.preorder_traversal(x)
     ):
         # Of denominators with roots of numbers none is a factor of the other.
-        parts = [sp.expand(a * d), sp.expand(c * b)]
+        parts = [expanded(a * d), expanded(c * b)]
         contents = [sp.factor_terms(part).as_coeff_Mul()[0] for part in parts]
         common = sp.gcd(*contents)
-        return tuple(sp.expand(part / common) for part in parts)
+        return tuple(expanded(part / common) for part in parts)
     below = sp.lcm(b, d)
-    parts = [sp.cancel(value * below) for value in (one, other)]
+    parts = [cancelled(value * below) for value in (one, other)]
     common = sp.gcd(*parts)
-    return tuple(sp.cancel(part / common) for part in parts)
+    return tuple(cancelled(part / common) for part in parts)
 
 
 def _root_of(tree: Expression) -> Expression | None:

@@ -34,7 +34,7 @@ from restitution.planning.writing.angle_ratios import range_of, square_of_cosine
 from restitution.planning.writing.between import root_of_a_square
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import square, swept, tree_of
-from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.polynomials import expanded, one_fraction
 from restitution.planning.writing.premises import background, not_negative
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Problem, Show, once_a_problem, trees_of_step
@@ -224,8 +224,8 @@ def _squares(scene: Scene, symbol: sp.Symbol) -> dict[type[sp.Function], sp.Expr
     if tangent.is_number:
         return {sp.sin: tidy(tangent / (1 + tangent)), sp.cos: tidy(1 / (1 + tangent))}
     # In letters both have one denominator, which is no longer than it has to be.
-    above, below = sp.fraction(sp.together(tangent))
-    whole = min(sp.expand(above + below), sp.factor(above + below), key=lambda x: x.count_ops())
+    above, below = sp.fraction(one_fraction(tangent))
+    whole = min(expanded(above + below), sp.factor(above + below), key=lambda x: x.count_ops())
     return {sp.sin: above / whole, sp.cos: below / whole}
 
 

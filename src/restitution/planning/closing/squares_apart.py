@@ -6,12 +6,12 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Relation, Sign
 from restitution.expression.tree import letters
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.polynomials import numerator
+from restitution.planning.writing.polynomials import cancelled, expanded, numerator
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -23,7 +23,7 @@ def with_squares_apart(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     """The line ``e sin²α = cos²α``, where an unknown is a quotient of squares; or the line."""
     above = numerator(residual(scene, line))
     link = squares_apart(above, "=")
-    if link is None or sum(term.has(symbol) for term in sp.Add.make_args(sp.expand(above))) != 1:
+    if link is None or sum(term.has(symbol) for term in sp.Add.make_args(expanded(above))) != 1:
         return line
     if symbol.name in letters(link.right):
         link = Link(link.right, "=", link.left)
@@ -37,14 +37,14 @@ def with_squares_apart(scene: Scene, line: int, symbol: sp.Symbol) -> int:
 
 def squares_apart(above: sp.Expr, sign: Sign) -> Link | None:
     """What is compared with zero, with the square of each ratio on a side; None of another sum."""
-    terms = sp.Add.make_args(sp.expand(above))
+    terms = sp.Add.make_args(expanded(above))
     if (
         len(terms) != 2
         or terms[0].could_extract_minus_sign() == terms[1].could_extract_minus_sign()
     ):
         return None
     more, less = terms[::-1] if terms[0].could_extract_minus_sign() else terms
-    sides = sp.fraction(sp.cancel(-more / less))
+    sides = sp.fraction(cancelled(-more / less))
     squares = [_single_square(side) for side in sides]
     if None in squares or squares[0] == squares[1]:
         return None
@@ -53,7 +53,7 @@ def squares_apart(above: sp.Expr, sign: Sign) -> Link | None:
 
 def _single_square(side: sp.Expr) -> Any:
     """The kind of the one ratio of an angle in a product, where that is squared; or None."""
-    ratios = side.atoms(*_RATIOS)
+    ratios = atoms_in(side, *_RATIOS)
     if len(ratios) != 1 or side.is_Add:
         return None
     (own,) = ratios

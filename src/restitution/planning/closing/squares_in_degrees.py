@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.exact.symbols import symbols_in
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.writing.forms import is_in_degrees
 from restitution.planning.writing.polynomials import expanded, one_fraction
@@ -18,7 +19,7 @@ def square_in_degrees(scene: Scene, number: int, generator: sp.Expr) -> sp.Expr 
     link = scene.desk.last_link(number)
     left, right = (scene_value(scene, side) for side in (link.left, link.right))
     sides = expanded(left - right)
-    if not sides.is_polynomial(generator) or sides.free_symbols != {generator}:
+    if not sides.is_polynomial(generator) or symbols_in(sides) != {generator}:
         return None
     value = -sides.coeff(generator, 0) / sides.coeff(generator, 2)
     if sp.degree(sides, generator) != 2 or not is_in_degrees(value):

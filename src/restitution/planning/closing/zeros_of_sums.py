@@ -15,7 +15,7 @@ from restitution.planning.closing.roots import known_as
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.writing.desk import Source, chain
 from restitution.planning.writing.forms import ZERO, number, product, tree_of
-from restitution.planning.writing.polynomials import numerator
+from restitution.planning.writing.polynomials import expanded, numerator
 from restitution.planning.writing.scene import Scene
 
 # Samples of two acute angles, and what two values may differ by that are the same.
@@ -78,13 +78,13 @@ def _sums(
     values = [complex(put.subs(sample).evalf()) for sample in samples]
     for times in range(1, _MOST + 1):
         for degrees in (90, 180):
-            whole = sp.expand(times * (symbol - value) + sp.pi * degrees / 180)
+            whole = expanded(times * (symbol - value) + sp.pi * degrees / 180)
             function = "cos" if degrees == _RIGHT_ANGLE else "sin"
             sizes = [complex(getattr(sp, function)(whole.subs(e)).evalf()) for e in samples]
             first = values[0] / sizes[0]
             if all(abs(v - first * s) < _NEAR for v, s in zip(values, sizes, strict=True)):
                 tree = _sum(whole)
-                shift = sp.expand(whole - _without_number(whole)) * 180 / sp.pi
+                shift = expanded(whole - _without_number(whole)) * 180 / sp.pi
                 if tree is not None and shift.is_Rational:
                     yield function, tree, degrees - Fraction(int(shift.p), int(shift.q))
 

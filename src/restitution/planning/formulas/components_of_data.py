@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names
 from restitution.expression.tree import Expression, Polar, letters, walk
 from restitution.planning.writing.degrees import by_degrees
 from restitution.planning.writing.desk import Source
@@ -28,7 +28,7 @@ def with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:
 
     None where one sees that in what it comes to, as the speed is in letters and no fraction.
     """
-    ratios = value.atoms(sp.sin, sp.cos)
+    ratios = atoms_in(value, sp.sin, sp.cos)
     if len(ratios) != 1 or value.is_Add or put.has(*ratios):
         return None
     size = tidy(value / next(iter(ratios)))
@@ -58,7 +58,7 @@ def by_its_ratio(
         # The angle is a number, and the speed has been found.
         own = symbol_names(source.value)
         return form if letters(form) - own else None
-    ratios = value.atoms(sp.sin, sp.cos)
+    ratios = atoms_in(value, sp.sin, sp.cos)
     if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
         return None
     return None if source.value.has(*ratios) else tree_of(value)

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.errors import StatementError
 from restitution.exact import tidy
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Move, MoveId, Ref
 from restitution.explaining.lines.trees import has_ratio_of_a_sum
 from restitution.expression.tree import (
@@ -104,7 +105,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
             link = chain(own.left, *steps)
             move = Move("rearrange")
             ratios = any(
-                sp.sympify(value, strict=True).atoms(sp.sin, sp.cos) for value in own.value
+                atoms_in(sp.sympify(value, strict=True), sp.sin, sp.cos) for value in own.value
             )
             if ratios and not scene.judge.follows(move, (number,), link):
                 by = (Move("identity", name) for name in ("pythagoras", "sum-of-angles"))
@@ -175,7 +176,7 @@ def _with_squares(scene: Scene, root: Expression) -> Expression | None:
             terms = (sum_.left, sum_.right)
         case _:
             return None
-    squares = [tidy(sp.expand(scene.scalar(term))) for term in terms]
+    squares = [tidy(expanded(scene.scalar(term))) for term in terms]
     tree = Apply("sqrt", Binary("+", *map(tree_of, squares)))
     return tree if _depth_of_roots(tree) <= _MOST_ROOTS else None
 
@@ -189,15 +190,15 @@ def _has_roots_of_letters(tree: Expression) -> bool:
 def _is_figure(value: Any) -> bool:
     """Whether a number is made of sines and cosines of degrees that have no exact values."""
     own = sp.sympify(value, strict=True)
-    return bool(own.is_number and own.atoms(sp.sin, sp.cos, sp.tan))
+    return bool(own.is_number and atoms_in(own, sp.sin, sp.cos, sp.tan))
 
 
 def _has_figures(value: Any) -> bool:
     """Whether ratios of degrees that have no exact values stand below a root."""
-    roots = sp.sympify(value, strict=True).atoms(sp.Pow)
+    roots = atoms_in(sp.sympify(value, strict=True), sp.Pow)
     return any(
         not root.exp.is_Integer
-        and any(not ratio.free_symbols for ratio in root.base.atoms(sp.sin, sp.cos, sp.tan))
+        and any(not ratio.free_symbols for ratio in atoms_in(root.base, sp.sin, sp.cos, sp.tan))
         for root in roots
     )
 
@@ -248,13 +249,13 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
         right = scene.scalar(own.right)
     except StatementError:
         return False
-    ratios = right.atoms(sp.sin, sp.cos) | value.atoms(sp.sin, sp.cos, sp.tan)
+    ratios = atoms_in(right, sp.sin, sp.cos) | atoms_in(value, sp.sin, sp.cos, sp.tan)
     angles = {ratio.args[0] for ratio in ratios}
     if len(ratios) == len(angles):
         return False
     put: dict[sp.Basic, sp.Expr] = {}
-    for angle in angles:
-        s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
+    for n, angle in enumerate(angles):  # by their numbers letters are the same each time
+        s, c = sp.Dummy("s", n, positive=True), sp.Dummy("c", n, positive=True)
         put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
     gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
     return bool(expanded(sp.fraction(one_fraction(expanded(gap)))[0]) != 0)

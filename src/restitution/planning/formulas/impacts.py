@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import (
     Meaning,
     Move,
@@ -118,7 +119,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             _parallel(scene, initial.value, vector) for vector in (frame.n, frame.t)
         )
         # Of a direction in letters a sum of its ratios has to be seen: −v(cos θ + sin θ)/√2.
-        in_a_line |= any(addend.has(sp.cos, sp.sin) for addend in value.atoms(sp.Add))
+        in_a_line |= any(addend.has(sp.cos, sp.sin) for addend in atoms_in(value, sp.Add))
         # One by the angle of its path with the line is read off: u cos(α − β).
         in_a_line &= form is None or angle_to_the_line(scene, body, frame) is None
         if frame.is_slanted and in_a_line:

@@ -27,6 +27,7 @@ from restitution.planning.formulas.definitions import Formula
 from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import ONE, factors, in_tangents, product, swept, tree_of
+from restitution.planning.writing.polynomials import cancelled, expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.same_angles import tangent_by_the_same, write_same_angle
 from restitution.planning.writing.scene import Scene
@@ -152,12 +153,12 @@ def _over_roots(scene: Scene, quotient: Expression) -> Iterator[Expression]:
         case _:
             return
     common = sp.Mul(*(symbol for symbol in sides[1].free_symbols))
-    top, bottom = (sp.expand(sp.cancel(side / common)) for side in sides)
+    top, bottom = (expanded(cancelled(side / common)) for side in sides)
     if not top.is_number or not bottom.is_number or not bottom.is_Add:
         return
     terms = [term for side in (top, bottom) for term in sp.Add.make_args(side)]
     lowest = sp.ilcm(1, *(term.as_coeff_Mul()[0].q for term in terms))
-    top, bottom = (tree_of(sp.expand(value * lowest), as_it_is=True) for value in (top, bottom))
+    top, bottom = (tree_of(expanded(value * lowest), as_it_is=True) for value in (top, bottom))
     yield Binary("/", top, bottom)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import (
     Link,
     Move,
@@ -71,7 +72,7 @@ def by_scalar_product(
         form = _with_a_ratio(exact)
     by: MoveId = "rearrange" if form is None or letters(form) == letters(last) else "define"
     written = form or scalar_product(scene.put(source.value)[0], direction)
-    if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
+    if any(ratio.args[0].is_Add for ratio in atoms_in(value, sp.sin, sp.cos)):
         number = scene.desk.write(move, refs, chain(quantity, (written, None)))
         refs, move, written = (number,), Move("identity", "sum-of-angles"), last
     if reordered(written, last):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Move, numbers_in
 from restitution.expression.tree import (
     Expression,
@@ -65,8 +66,8 @@ def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
     """Whether a product of letters and a rational number still is one, of one letter less."""
     return bool(after_.free_symbols) and not (
         sp.Mul.make_args(before_)[0].is_Add
-        or before_.atoms(sp.Add, sp.Function, sp.Pow)
-        or after_.atoms(sp.Add, sp.Function, sp.Pow)
+        or atoms_in(before_, sp.Add, sp.Function, sp.Pow)
+        or atoms_in(after_, sp.Add, sp.Function, sp.Pow)
         or after_.as_coeff_Mul()[0].q > _EASY
         or len(before_.free_symbols - after_.free_symbols) != 1
     )

@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import Relation
 from restitution.expression.tree import Name, Polar, Quantity
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.writing.desk import Source
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.vector import Vector
@@ -26,8 +27,8 @@ def stand_as_vectors(scene: Scene, pair: Iterable[Moving]) -> bool:
     a, b = vectors
     if a is None or b is None or not all((*a, *b)):
         return False
-    dot = tidy(sp.expand(a.dot(b)))
-    squares = tidy(sp.expand(a.dot(a))) * tidy(sp.expand(b.dot(b)))
+    dot = tidy(expanded(a.dot(b)))
+    squares = tidy(expanded(a.dot(a))) * tidy(expanded(b.dot(b)))
     return bool(dot) and bool(tidy(dot**2 / squares).is_Rational)
 
 

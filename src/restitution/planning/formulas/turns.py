@@ -12,8 +12,6 @@ from fractions import Fraction
 from itertools import count, islice
 from typing import Any, Literal
 
-import sympy as sp
-
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation, numbers_in
 from restitution.expression.tree import (
@@ -37,6 +35,7 @@ from restitution.planning.writing.desk import Source, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.given_angles import given_angle
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.records import dataclass
 
@@ -239,7 +238,7 @@ def _from_a_unit(
         if given_as is not None:
             own = replace(own, angle=given_as[0], sources=given_as[1])
         seen.append(own if angle is None else _of_data(scene, own, body.name, angle))
-    fall = tidy(sp.expand(sides[0].along.value - sides[1].along.value))
+    fall = tidy(expanded(sides[0].along.value - sides[1].along.value))
     sign = scene.model.sign(fall)
     if not sign or not scene.model.decide(sign * fall, ">=", 0):
         return None
@@ -264,7 +263,7 @@ def _of_two_from_a_unit(
     if not all(_is_found_to_a_unit(scene, side.velocity) for side in sides):
         return None
     (a, b), (c, d) = ([side.along.value, side.across.value] for side in sides)
-    across, turn = (scene.model.sign(tidy(sp.expand(value))) for value in (b * d, a * d - b * c))
+    across, turn = (scene.model.sign(tidy(expanded(value))) for value in (b * d, a * d - b * c))
     if across != 1 or not turn or scene.unknown(a) or scene.unknown(c):
         return None
     seen = [replace(s, named=Quantity("angle", (s.velocity, unit)), sources=()) for s in sides]
@@ -382,7 +381,7 @@ def _form_of(scene: Scene, p: Direction, q: Direction, same: bool) -> tuple[Form
     """How the angle is made of the two, and whether they change places."""
 
     def sign(value: Any) -> int | None:
-        own = tidy(sp.expand(value))
+        own = tidy(expanded(value))
         if scene.model.identically_zero(own):
             return 1
         at = scene.model.sign(own)

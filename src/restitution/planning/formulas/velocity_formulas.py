@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.components.telling import without_bars
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged, trees_of
 from restitution.expression.tree import (
@@ -375,7 +376,7 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
             return Formula(move, itself, quantity, right, size, needed)
     tree, value, refs = squares(scene, body, stage)
     size = _of_one_square(scene, tree) or tidy(sp.sqrt(tidy(expanded(value))))
-    if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
+    if len({atom.args for atom in atoms_in(value, sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda value: value.count_ops())
     right = tree if value == 0 else Apply("sqrt", tree)

@@ -24,6 +24,7 @@ from restitution.planning.routes.determining import determine
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import cancelled, expanded
 from restitution.solving.story.letters import roles
 
 
@@ -197,7 +198,7 @@ def _with_acute(value: sp.Expr, acute: list[sp.Symbol]) -> sp.Expr:
         for inverse in value.atoms(sp.atan)
         for other in acute
         if inverse.args[0] == sp.tan(other)
-        or sp.cancel(inverse.args[0] * sp.cos(other) / sp.sin(other)) == 1
+        or cancelled(inverse.args[0] * sp.cos(other) / sp.sin(other)) == 1
     }
     return value.xreplace(put)
 
@@ -205,7 +206,7 @@ def _with_acute(value: sp.Expr, acute: list[sp.Symbol]) -> sp.Expr:
 def _tidied(value: sp.Expr) -> sp.Expr:
     """A sum of inverse tangents, each of its shortest argument."""
     own = value.replace(sp.atan, lambda x: sp.atan(tidy(x)))
-    return sp.expand(own)
+    return expanded(own)
 
 
 __all__ = ["AngleAtEnds", "is_angle_of_motion", "write_at_ends"]

@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Re
 from restitution.expression.tree import Expression, Letter, is_binary, walk
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import factors, outer_terms, total, tree_of
+from restitution.planning.writing.polynomials import derivative, expanded, polynomial_in
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
@@ -35,7 +36,7 @@ def write_least(
         return None
     ((tree, own),) = open_
     worst = dict(_worst_ends(scene, own))
-    whole = sp.factor(sp.expand(own).subs(worst))
+    whole = sp.factor(expanded(own).subs(worst))
     if not worst or _is_evident(scene, whole.expand()) or not _is_of_squares(scene, whole):
         return None
     first, last = _put(scene, tree, worst), tree_of(whole)
@@ -63,11 +64,11 @@ def of_both_squares(scene: Scene, gap: sp.Expr) -> sp.Expr | None:
     (own,), (angle,) = open_, angles
     sine, cosine = sp.Dummy("s"), sp.Dummy("c")
     put = {sp.sin(angle) ** 2: sine, sp.cos(angle) ** 2: cosine}
-    x = sp.expand(own).subs(put)
-    if x.has(sp.sin, sp.cos) or sp.Poly(x, sine, cosine).total_degree() != 1:
+    x = expanded(own).subs(put)
+    if x.has(sp.sin, sp.cos) or polynomial_in(x, sine, cosine).total_degree() != 1:
         return None
     rest = x.subs({sine: 0, cosine: 0})
-    shares = [sp.expand(rest + x.coeff(e)) for e in (cosine, sine)]
+    shares = [expanded(rest + x.coeff(e)) for e in (cosine, sine)]
     signs = {proved_sign(scene.model.inside, sp.factor(share)) for share in shares}
     if 0 in shares or signs not in ({1}, {-1}) or not all(_is_evident(scene, e) for e in shares):
         return None
@@ -102,8 +103,8 @@ def _put(scene: Scene, tree: Expression, worst: dict[sp.Expr, sp.Expr]) -> Expre
     terms: list[Expression] = []
     for term in outer_terms(tree):
         value = scene.scalar(term)
-        there = sp.expand(value).subs(worst)
-        terms.append(term if there == sp.expand(value) else tree_of(sp.factor(there)))
+        there = expanded(value).subs(worst)
+        terms.append(term if there == expanded(value) else tree_of(sp.factor(there)))
     return total(terms)
 
 
@@ -123,7 +124,7 @@ def _worst_ends(scene: Scene, x: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     """At which end of each coefficient, or of a square of a ratio, an expression is least."""
     for generator in _generators(scene, x):
         inside = sp.Dummy("x", positive=True)
-        slope = sp.diff(x.subs(generator, inside), inside).subs(inside, generator)
+        slope = derivative(x.subs(generator, inside), inside).subs(inside, generator)
         sign = proved_sign(scene.model.inside, sp.factor(slope))
         if sign:
             yield generator, sp.Integer(0 if sign > 0 else 1)
@@ -134,7 +135,7 @@ def _is_evident(scene: Scene, x: sp.Expr) -> bool:
     bounded = list(_generators(scene, x))
     signs: set[bool] = set()
     for ends in combinations((0, 1), repeat=len(bounded)):
-        there = sp.expand(x.subs(dict(zip(bounded, ends, strict=True))))
+        there = expanded(x.subs(dict(zip(bounded, ends, strict=True))))
         terms = sp.Add.make_args(there) if there != 0 else ()
         signs |= {bool(term.could_extract_minus_sign()) for term in terms}
     return len(signs) < 2

@@ -36,7 +36,7 @@ from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, square, tree_of
 from restitution.planning.writing.inequalities import is_monic, same, solve_linear, subject_of
 from restitution.planning.writing.one_tangent import in_one_tangent, write_in_one_tangent
-from restitution.planning.writing.polynomials import factored, one_fraction
+from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.solving.story.letters import roles
 
 
@@ -262,7 +262,7 @@ class Eliminated(InStages):
 
     def _by_difference_of_squares_from(self, line: int, link: Link) -> int | None:
         """A bound of a letter of which a line gives the square, by the difference of squares."""
-        other = tree_of(sp.expand(self.worths.value(link.right) ** 2))
+        other = tree_of(expanded(self.worths.value(link.right) ** 2))
         squares = Relation(((Link(square(link.left), link.sign, other),),))
         mark = self.worths.mark()
         bound = write_difference(self, line, squares)

@@ -39,6 +39,7 @@ from restitution.planning.writing.polynomials import (
     expanded,
     factored,
     one_fraction,
+    polynomial_in,
 )
 from restitution.solving.story.letters import roles
 
@@ -80,17 +81,17 @@ def write_square(
         if symbol in below.free_symbols:
             continue
         try:
-            poly = sp.Poly(expanded(above), symbol)
+            poly = polynomial_in(expanded(above), symbol)
         except sp.PolynomialError:
             continue
         if poly.degree() != 2 or poly.nth(1) == 0:
             continue
-        outside = sp.cancel(value / poly.as_expr())
+        outside = cancelled(value / poly.as_expr())
         if scene.model.sign(poly.LC() * outside) != (1 if least else -1):
             continue
         primitive = poly.primitive()[1]
         a, b, c = (primitive.nth(n) for n in (2, 1, 0))
-        common, inner = sp.Poly(2 * a * symbol + b, symbol).primitive()
+        common, inner = polynomial_in(2 * a * symbol + b, symbol).primitive()
         factor = tidy(sp.sympify(common, strict=True) ** 2 / (4 * a))
         squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
         own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))

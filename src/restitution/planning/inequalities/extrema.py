@@ -56,7 +56,7 @@ from restitution.planning.writing.forms import (
     product,
     tree_of,
 )
-from restitution.planning.writing.polynomials import expanded, one_fraction
+from restitution.planning.writing.polynomials import expanded, one_fraction, polynomial_in
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer, ItemResult
 from restitution.solving.story.letters import roles
@@ -537,7 +537,7 @@ class _Extremum:
                 gap = by_tangent(gap, self.symbol, generator)
             x = expanded(sp.fraction(one_fraction(gap))[0])
         try:
-            roots = sp.roots(sp.Poly(x, generator))
+            roots = sp.roots(polynomial_in(x, generator))
         except sp.PolynomialError:
             return
         role = self.role

@@ -42,6 +42,12 @@ from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, square, tree_of
 from restitution.planning.writing.one_tangent import in_one_tangent
+from restitution.planning.writing.polynomials import (
+    derivative,
+    expanded,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
@@ -69,7 +75,7 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
             return True
         if value == 0 or own == 0:
             continue
-        ratio = sp.factor(sp.together(value / own))
+        ratio = sp.factor(one_fraction(value / own))
         if any(known[s.name].kind == "positive" for s in ratio.free_symbols if s.name in known):
             return False
         if any(len(factor.free_symbols) > 1 for factor in sp.Mul.make_args(ratio)):
@@ -89,7 +95,7 @@ def _is_monotone(scene: Scene, product: sp.Expr, symbol: sp.Symbol) -> bool:
     own = [factor for factor in sp.Mul.make_args(product) if symbol in factor.free_symbols]
     if len(own) < 2 and not any(_has_powers(factor, symbol) for factor in own):
         return True
-    slope = sp.factor(sp.diff(sp.expand(sp.Mul(*own)), symbol))
+    slope = sp.factor(derivative(expanded(sp.Mul(*own)), symbol))
     return bool(proved_sign(scene.model.inside, slope))
 
 
@@ -97,7 +103,7 @@ def _has_powers(factor: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether a factor is a polynomial in a letter, with more than one of its powers."""
     if not factor.is_polynomial(symbol):
         return False
-    return len([power for (power,) in sp.Poly(factor, symbol).monoms() if power]) > 1
+    return len([power for (power,) in polynomial_in(factor, symbol).monoms() if power]) > 1
 
 
 def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
@@ -228,12 +234,12 @@ def _squared(scene: Scene, tree: Expression) -> Expression:
 
 def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
     """A difference in factors, as it is, with sines or cosines alone, or with one tangent."""
-    whole = sp.together(gap)
+    whole = one_fraction(gap)
     angles = sorted({f.args[0] for f in whole.atoms(sp.sin, sp.cos)}, key=str)
     forms = [whole]
     for angle in angles:
         forms += [
-            sp.expand(form).subs(kind(angle) ** 2, 1 - other(angle) ** 2)
+            expanded(form).subs(kind(angle) ** 2, 1 - other(angle) ** 2)
             for form in list(forms)
             for kind, other in ((sp.sin, sp.cos), (sp.cos, sp.sin))
         ]
@@ -241,7 +247,7 @@ def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
         own = _factored(form)
         for angle in angles:
             own = own.replace(
-                lambda x: x.is_Add and sp.expand(x - (1 - sp.sin(angle) ** 2)) == 0,  # noqa: B023
+                lambda x: x.is_Add and expanded(x - (1 - sp.sin(angle) ** 2)) == 0,  # noqa: B023
                 lambda x: sp.cos(angle) ** 2,  # noqa: B023
             )
         yield own

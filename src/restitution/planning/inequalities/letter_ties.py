@@ -54,7 +54,14 @@ from restitution.planning.writing.inequalities import (
     without_signs,
 )
 from restitution.planning.writing.one_tangent import write_by_single_tangents
-from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    derivative,
+    expanded,
+    factored,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.scene import GivenEquation
 from restitution.solving.story.letters import roles
 
@@ -177,10 +184,13 @@ class Ties:
         (angle,) = angles
         tangent, cosine = sp.Dummy("t", positive=True), sp.Dummy("c", positive=True)
         put = {sp.sin(angle): tangent * cosine, sp.cos(angle): cosine, sp.tan(angle): tangent}
-        above = sp.fraction(sp.cancel(sp.together(own.xreplace(put))))[0]
-        if cosine in above.free_symbols or set(sp.Poly(above, tangent).monoms()) != {(2,), (0,)}:
+        above = sp.fraction(cancelled(one_fraction(own.xreplace(put))))[0]
+        if cosine in above.free_symbols or set(polynomial_in(above, tangent).monoms()) != {
+            (2,),
+            (0,),
+        }:
             return plain
-        factors = sp.Poly(above, tangent)
+        factors = polynomial_in(above, tangent)
         value = tidy(-factors.nth(0) / factors.nth(2))
         relation = chain(square(Apply("tan", tree_of(angle))), (tree_of(value), None))
         known = self.judge.known(letters(relation.only[0].right))
@@ -334,7 +344,7 @@ class Ties:
         signed = [certain(self.scene, x) is not None for x in factors]
         if start == line or not all(linear) or sorted(signed) != [False, True]:
             return None
-        polynomials = [sp.Poly(x, symbol) for x in factors]
+        polynomials = [polynomial_in(x, symbol) for x in factors]
         trees = [
             total((product(tree_of(x.nth(1)), Letter(symbol.name)), tree_of(expanded(x.nth(0)))))
             for x in polynomials
@@ -400,7 +410,7 @@ class Ties:
 
     def _slope(self, x: sp.Expr, symbol: sp.Symbol) -> int | None:
         """Whether an expression grows with a letter, or falls; None where that is open."""
-        above, below = sp.fraction(factored(one_fraction(sp.diff(x, symbol))))
+        above, below = sp.fraction(factored(one_fraction(derivative(x, symbol))))
         odd = [factor for factor in sp.Mul.make_args(below) if not factor.as_base_exp()[1].is_even]
         # At an end of its range the slope may be zero, as that of a square is.
         return proved_sign(self.scene.model.inside, above / sp.Mul(*odd)) or None
@@ -444,7 +454,7 @@ class Ties:
                 generator, slope = gone, self._slope(x, gone)
             elif (ratio := _one_ratio_in(x, gone)) is not None:
                 t = sp.Dummy("t", positive=True)
-                of_ratio = sp.diff(x.subs(ratio, t), t).subs(t, ratio)
+                of_ratio = derivative(x.subs(ratio, t), t).subs(t, ratio)
                 generator, slope = ratio, certain(self.scene, factored(one_fraction(of_ratio)))
             else:
                 return None

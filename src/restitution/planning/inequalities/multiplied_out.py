@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import Link, Move, Relation, Sign
 from restitution.planning.closing.square_roots import side_by_side
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import cancelled, one_fraction
 
 _MOVES = (Move("rearrange"), Move("cancel"), Move("compare"))
 
@@ -26,7 +27,7 @@ def multiplied_out(
     if any(not _sums_below(value) for value in values):
         return line
     one, other = side_by_side(*values)
-    multiplier = sp.cancel(one / values[0]) if values[0] != 0 else sp.S.Zero
+    multiplier = cancelled(one / values[0]) if values[0] != 0 else sp.S.Zero
     if proved_sign(worths.scene.model.inside, multiplier) != 1:
         return line
     sides = [tree_of(sp.factor_terms(side)) for side in (one, other)]
@@ -39,7 +40,7 @@ def multiplied_out(
 
 def _sums_below(value: sp.Expr) -> bool:
     """Whether a sum with letters stands below the line of a fraction."""
-    below = sp.fraction(sp.together(value))[1]
+    below = sp.fraction(one_fraction(value))[1]
     return any(
         node.as_base_exp()[0].is_Add and node.free_symbols for node in sp.Mul.make_args(below)
     )

@@ -22,6 +22,7 @@ from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.over_offsets import role_of
 from restitution.planning.writing.forms import product, square, total, tree_of
+from restitution.planning.writing.polynomials import expanded, one_fraction, polynomial_in
 from restitution.planning.writing.scene import Scene
 from restitution.records import dataclass
 from restitution.solving.story.letters import roles
@@ -130,9 +131,9 @@ def _parts_of(claims: Comparing, symbol: sp.Symbol, value: sp.Expr) -> _Parts | 
     is_angle = role_of(scene, symbol).kind == "angle"
     t = sp.Dummy("t", positive=True)
     x = by_tangent(value, symbol, t) if is_angle else value.subs(symbol, t)
-    above, below = sp.fraction(sp.factor(sp.together(x)))
+    above, below = sp.fraction(sp.factor(one_fraction(x)))
     try:
-        top, poly = (sp.Poly(sp.expand(side), t) for side in (above, below))
+        top, poly = (polynomial_in(expanded(side), t) for side in (above, below))
     except sp.PolynomialError:
         return None
     if top.monoms() != [(1,)] or poly.degree() != 2:
@@ -240,4 +241,4 @@ def by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:
         sp.cos(angle): 1 / sp.sqrt(1 + t**2),
         sp.tan(angle): t,
     }
-    return sp.together(x.xreplace(dict(put)))
+    return one_fraction(x.xreplace(dict(put)))

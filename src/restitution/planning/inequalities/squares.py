@@ -40,6 +40,7 @@ from restitution.planning.writing.polynomials import (
     factored,
     numerator,
     one_fraction,
+    polynomial_in,
 )
 from restitution.solving.story.letters import roles
 
@@ -207,7 +208,7 @@ def in_its_square(worths: Worths, line: int, solved: Link) -> int | None:
     gap = numerator(worths.value(own.left) - worths.value(own.right))
     if not gap.is_polynomial(symbol) or own.left == letter:
         return None
-    if {power for (power,) in sp.Poly(gap, symbol).monoms()} != {0, 2}:
+    if {power for (power,) in polynomial_in(gap, symbol).monoms()} != {0, 2}:
         return None
     squared = Link(square(letter), sign, tree_of(tidy(worths.value(bound) ** 2)))
     pool = [line, *worths.known_in(gap)]
@@ -228,9 +229,9 @@ def _in_one_ratio(sign: Sign, x: sp.Expr) -> Link | None:
         plain = x.xreplace({kept: odd, other: even})
         if not plain.is_polynomial(odd, even):
             return None
-        powers = sp.Poly(plain, odd, even).monoms()
+        powers = polynomial_in(plain, odd, even).monoms()
         if all(n in (0, 2) for _, n in powers) and any(n % 2 for n, _ in powers):
-            poly = sp.Poly(in_one_ratio(plain, odd, even), odd)
+            poly = polynomial_in(in_one_ratio(plain, odd, even), odd)
             turned_ = poly.LC().could_extract_minus_sign()
             poly = -poly if turned_ else poly
             left = total(tree_of(size * kept**n) for (n,), size in poly.terms())
@@ -247,7 +248,7 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
         return line
     (symbol,) = x.free_symbols
     try:
-        poly = sp.Poly(sp.expand(x), symbol)
+        poly = polynomial_in(expanded(x), symbol)
     except sp.PolynomialError:
         return line
     if poly.degree() != 2 or poly.nth(1) == 0 or not all(c.is_Rational for c in poly.coeffs()):
@@ -257,7 +258,7 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
     if gap <= 0:
         return line
     own = sign if a > 0 else FLIPPED[sign]
-    if len(sp.Poly(poly / sp.Integer(1), symbol).factor_list()[1]) > 1:
+    if len(polynomial_in(poly / sp.Integer(1), symbol).factor_list()[1]) > 1:
         link = Link(tree_of(sp.factor(poly.as_expr() / sp.sign(a)), as_it_is=True), own, ZERO)
     else:
         shift, letter = b / (2 * a), tree_of(symbol)
@@ -341,7 +342,7 @@ def _may_be_low(worths: Worths, symbol: sp.Symbol, low: sp.Expr) -> bool:
 def _second_degree(own: Link, gap: sp.Expr) -> list[Link]:
     """A quadratic in one letter by its square, or in factors; nothing of what is no quadratic."""
     (symbol,) = gap.free_symbols
-    poly = sp.Poly(expanded(gap), symbol)
+    poly = polynomial_in(expanded(gap), symbol)
     if poly.degree() != 2:
         return []
     sign: Sign = FLIPPED[own.sign] if poly.LC() < 0 else own.sign

@@ -12,7 +12,13 @@ from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Re
 from restitution.expression.tree import Apply, Binary, Expression, Letter, walk
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
-from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factored,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.solving.algebra.numbers import plain_sign
 from restitution.solving.story.letters import roles
 
@@ -45,7 +51,7 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     if own is not None:
         return own
     sums = [-factor if factor.is_Add and _begins_below_zero(factor) else factor for factor in sums]
-    rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*sums)))
+    rest = proved_sign(worths.scene.model.inside, cancelled(gap / sp.Mul(*sums)))
     if not rest:
         return line
     sign = link.sign if rest > 0 else FLIPPED[link.sign]
@@ -69,9 +75,9 @@ def _in_one_letter(
     role = roles(worths.scene.problem).get(symbol.name)
     if role is None or role.kind != "positive" or any(map(plain_sign, sums)):
         return None
-    rising = [factor if sp.Poly(factor, symbol).LC() > 0 else -factor for factor in sums]
-    poly = sp.Poly(expanded(sp.Mul(*rising)), symbol)
-    rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*rising)))
+    rising = [factor if polynomial_in(factor, symbol).LC() > 0 else -factor for factor in sums]
+    poly = polynomial_in(expanded(sp.Mul(*rising)), symbol)
+    rest = proved_sign(worths.scene.model.inside, cancelled(gap / sp.Mul(*rising)))
     sides = None if 0 in poly.all_coeffs() else _in_order(symbol, poly)
     if not rest or sides is None:
         return None
@@ -141,13 +147,13 @@ def _in_tangents(
     if own.free_symbols != {tangent} or len(sums) != 2 or not all(_is_linear(e) for e in sums):
         return line
     sums = [-factor if sp.Poly(factor).LC() < 0 else factor for factor in sums]
-    rest = sp.cancel(own / sp.Mul(*sums)).subs(tangent, sp.tan(angle))
+    rest = cancelled(own / sp.Mul(*sums)).subs(tangent, sp.tan(angle))
     sense = proved_sign(worths.scene.model.inside, rest.rewrite(sp.cos))
     if not sense:
         return line
     link = worths.scene.desk.last_link(line)
     sign = link.sign if sense > 0 else FLIPPED[link.sign]
-    poly = sp.Poly(expanded(sp.Mul(*sums)), tangent)
+    poly = polynomial_in(expanded(sp.Mul(*sums)), tangent)
     if 0 in poly.all_coeffs():
         return line  # of the difference of two squares the root is taken
     sums.sort(key=lambda factor: -sp.Poly(factor).nth(0) / sp.Poly(factor).LC())
@@ -217,15 +223,15 @@ def _polynomial(x: sp.Expr, wanted: Expression | None) -> tuple[sp.Expr, sp.Poly
     try:
         if not ratios and len(letters) > 1:
             own = next((letter for letter in letters if wanted == Letter(letter.name)), None)
-            return None if own is None else (own, sp.Poly(x, own))
+            return None if own is None else (own, polynomial_in(x, own))
         if letters and not ratios:
-            return (own := letters.pop()), sp.Poly(x, own)
+            return (own := letters.pop()), polynomial_in(x, own)
         if len(ratios) == 1 and not letters:
-            return (own := ratios.pop()), sp.Poly(x, own)
+            return (own := ratios.pop()), polynomial_in(x, own)
         if len(angles) != 1 or letters:
             return None
         angle = angles.pop()
-        mixed = sp.Poly(x, sp.sin(angle), sp.cos(angle))
+        mixed = polynomial_in(x, sp.sin(angle), sp.cos(angle))
     except sp.PolynomialError:
         return None
     if {sum(powers) for powers in mixed.monoms()} != {2}:
@@ -246,7 +252,7 @@ def _in_order(generator: sp.Expr, poly: sp.Poly) -> tuple[Expression, Expression
 def _as_square(generator: sp.Expr, poly: sp.Poly) -> tuple[Expression, Expression] | None:
     """``e(k + 1)²`` and ``(1 + e)²``; None where what is added to the letter is no number."""
     a, b, c = poly.all_coeffs()
-    shift = sp.cancel(b / (2 * a))
+    shift = cancelled(b / (2 * a))
     rest = factored(a * shift**2 - c)
     if not shift.is_number:
         return None

@@ -15,6 +15,7 @@ from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import cancelled, expanded, one_fraction
 
 
 def write_turn(claims: Comparing, quantities: Sequence[Quantity], relation: Relation) -> int | None:
@@ -97,9 +98,9 @@ def _ratio(claims: Comparing, side: Expression) -> Expression | None:
 
 def tangent_of(angle: sp.Expr) -> sp.Expr | None:
     """The tangent of an expression of angles, by tangents; None where it has none."""
-    own = sp.expand_trig(sp.tan(sp.expand(angle))).replace(sp.cot, lambda x: 1 / sp.tan(x))
+    own = sp.expand_trig(sp.tan(expanded(angle))).replace(sp.cot, lambda x: 1 / sp.tan(x))
     own = own.replace(sp.sin, lambda x: sp.tan(x) * sp.cos(x))
-    own = sp.cancel(sp.together(own))
+    own = cancelled(one_fraction(own))
     if own.has(sp.zoo, sp.oo, sp.nan, sp.atan, sp.asin, sp.acos, sp.sin, sp.cos):
         return None
     return tidy(own)

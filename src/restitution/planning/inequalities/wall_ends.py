@@ -18,7 +18,7 @@ from restitution.planning.writing.flights import slope
 from restitution.planning.writing.forms import swept, total, tree_of
 from restitution.planning.writing.inequalities import certain, solve_linear, without_signs
 from restitution.planning.writing.place_trees import Axis
-from restitution.planning.writing.polynomials import cancelled, factored, one_fraction
+from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
 
 
 def write_between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | None:
@@ -193,7 +193,7 @@ def _without_denominator(
     if not below.free_symbols or certain(worths.scene, below) != 1:
         return None
     sides = [factored(value) for value in (low * below, above, high * below)]
-    common = sp.gcd_terms(sp.gcd_list([sp.expand(side) for side in sides]))
+    common = sp.gcd_terms(sp.gcd_list([expanded(side) for side in sides]))
     if certain(worths.scene, common) != 1:
         return None
     trees = [tree_of(factored(cancelled(side / common))) for side in sides]

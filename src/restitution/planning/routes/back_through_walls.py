@@ -8,8 +8,6 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-import sympy as sp
-
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Expression, Letter, Name, Quantity
@@ -20,6 +18,7 @@ from restitution.planning.formulas.scalar_products import by_scalar_product
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import negative, product, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
@@ -109,7 +108,7 @@ def _before(scene: Scene, body: str, number: int, stage: int, late: Source) -> S
     if stage == 0:
         whole = replace(whole, refs=together(whole.refs, frame.unit_free))
     line = write_formula(scene, whole)
-    vector = Vector(*(tidy(sp.expand(part)) for part in whole.value))
+    vector = Vector(*(tidy(expanded(part)) for part in whole.value))
     scene.desk.know(Quantity("velocity", (Name(body),), stage), vector, (line,))
     return Source(vector, (line,))
 

@@ -21,7 +21,7 @@ from restitution.planning.routes.by_laws import ByLaws
 from restitution.planning.routes.givens import candidate_of, write_impulse_on
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError
-from restitution.planning.writing.polynomials import factor_powers, factored, one_fraction
+from restitution.planning.writing.polynomials import expanded, factor_powers, factored, one_fraction
 from restitution.planning.writing.scene import GivenEquation
 
 
@@ -276,7 +276,7 @@ def _of_equal_roots(equation: sp.Expr) -> sp.Expr | None:
     if len(terms) != 2 or not all(term.atoms(sp.Pow) and _is_root(term) for term in terms):
         return None
     one, other = (tidy(term**2) for term in terms)
-    return sp.expand(one - other)
+    return expanded(one - other)
 
 
 def _is_root(term: sp.Expr) -> bool:

@@ -8,7 +8,7 @@ from collections.abc import Set as AbstractSet
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Degrees, Letter, Name, Quantity, walk
 from restitution.planning.angles.unknown_blows import take_blow
@@ -25,7 +25,7 @@ from restitution.planning.routes.standing_components import is_compared
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import ZERO, tree_of
-from restitution.planning.writing.polynomials import factored
+from restitution.planning.writing.polynomials import derivative, expanded, factored, one_fraction
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation
 from restitution.planning.writing.vectors import common_velocity, velocity_given
@@ -187,14 +187,14 @@ class ByFacts(Course):
         scene, own = self.scene, candidate_of(given)
         if given.link.sign != "=" or len(own.residuals) != 1 or scene.others:
             return None
-        symbols = own.residuals[0].free_symbols & self._letters.keys()
+        symbols = symbols_in(own.residuals[0]) & self._letters.keys()
         if len(symbols) != 1:
             return None
         (symbol,) = symbols
-        letter, slope = Letter(symbol.name), sp.diff(own.residuals[0], symbol)
+        letter, slope = Letter(symbol.name), derivative(own.residuals[0], symbol)
         known = scene.desk.known(letter)
-        linear = sp.expand(own.residuals[0] - slope * symbol) == 0
-        if known is None or known.value == 0 or symbol in slope.free_symbols or not linear:
+        linear = expanded(own.residuals[0] - slope * symbol) == 0
+        if known is None or known.value == 0 or symbol in symbols_in(slope) or not linear:
             return None
         used = (e.number for e in scene.desk.lines if given.fact.id in e.premises)
         if not any(not scene.desk.is_of_this_part(n) and scene.desk.holds(n) for n in used):
@@ -227,7 +227,7 @@ class ByFacts(Course):
             if not laws <= ids and not self._closes_a_law(laws, open_, left):
                 continue
             gap = self.scene.with_values(own.residuals[0])[0]
-            slopes = [sp.diff(gap, value).expand() for value in open_]
+            slopes = [derivative(gap, value).expand() for value in open_]
             if any(slope == 0 or slope.free_symbols & open_ for slope in slopes):
                 continue
             if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_, gap):
@@ -305,7 +305,7 @@ class ByFacts(Course):
             return False
         if self._comes_by_the_coefficient(number, left):
             return True
-        put = [sp.expand(self.scene.with_values(difference)[0]) for difference in own.residuals]
+        put = [expanded(self.scene.with_values(difference)[0]) for difference in own.residuals]
         squared = [value for value in put if sp.diff(value, symbol, 2) != 0]
         if not squared:
             return False
@@ -473,7 +473,7 @@ def _root_of_square(equation: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
 def _size_by_an_angle(equation: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
     """The size of a component that an angle to a line gives; None where it gives none."""
     size = sp.Abs(symbol)
-    equation = sp.fraction(sp.together(equation))[0].expand()
+    equation = sp.fraction(one_fraction(equation))[0].expand()
     part = equation.coeff(size)
     other = (equation - part * size).expand()
     return None if part == 0 or other.has(symbol) else tidy(factored(-other / part))
@@ -504,5 +504,5 @@ def _has_root_of_letters(root: sp.Expr) -> bool:
 
 
 def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    slope = sp.diff(residual_, symbol)
+    slope = derivative(residual_, symbol)
     return -residual_.subs(symbol, 0) / slope

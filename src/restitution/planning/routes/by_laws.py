@@ -8,7 +8,7 @@ from contextlib import suppress
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter
 from restitution.planning.closing.excluded_roots import written_law
@@ -24,6 +24,7 @@ from restitution.planning.routes.laws_solved import tidied_law
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.polynomials import derivative, expanded
 from restitution.planning.writing.scene import GivenEquation
 
 _PAIR = 2
@@ -97,7 +98,7 @@ class ByLaws(ByFacts):
     def _is_linear(self, laws: Sequence[Candidate], symbols: Iterable[sp.Symbol]) -> bool:
         """Whether laws are linear in some letters, with what is known put in."""
         rows = [self.scene.put(difference)[0] for own in laws for difference in own.residuals]
-        slopes = [sp.diff(row, symbol) for row in rows for symbol in symbols]
+        slopes = [derivative(row, symbol) for row in rows for symbol in symbols]
         # A cosine that is divided by would have to be cited as not zero.
         return not any(
             slope.has(sp.sin, sp.cos) or slope.free_symbols & set(symbols) for slope in slopes
@@ -129,8 +130,8 @@ class ByLaws(ByFacts):
         if scene.others or len(pair) != _PAIR or not self._letters.keys() >= set(pair):
             return None
         one, other = pair
-        apart = own.subs(dict.fromkeys(pair, 0)), sp.diff(own, one) - sp.diff(own, other)
-        if any(sp.expand(value) != 0 for value in apart):
+        apart = own.subs(dict.fromkeys(pair, 0)), derivative(own, one) - derivative(own, other)
+        if any(expanded(value) != 0 for value in apart):
             return None
         relation = chain(Letter(other.name), (tree_of(-one), None))
         line = scene.judge.write((Move("rearrange"),), (momentum,), relation)
@@ -152,7 +153,7 @@ class ByLaws(ByFacts):
             (symbol,) = later
             number = self._shorter_law(law, symbol) or self._law_line(law)
             own_residual = residual(self.scene, number)
-            if symbol not in own_residual.free_symbols:
+            if symbol not in symbols_in(own_residual):
                 continue  # it is known by now
             if is_over_roots(own_residual, symbol):
                 close(self.scene, number, symbol)

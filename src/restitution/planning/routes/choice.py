@@ -68,7 +68,9 @@ def gradient(x: sp.Expr, point: Point) -> dict[sp.Symbol, float]:
 def _dual(x: sp.Expr, point: Point) -> _Dual:
     if x.is_Symbol:
         return point[x], {x: 1.0}
-    if not x.args or not symbols_in(x):
+    if x.is_Rational:
+        return x.p / x.q, {}
+    if not symbols_in(x):
         return float(x), {}
     parts = [_dual(argument, point) for argument in x.args]
     if x.is_Add:
@@ -156,17 +158,19 @@ class Routes:
         bound = self._pruned(near, wanted)
         if len(near) > _MOST:
             return [tuple(self.candidates[n] for n in bound)]
-        routes = [
-            (self._cost(chosen), chosen)
-            for size in range(len(near) + 1)
-            for chosen in combinations(near, size)
-            if self._cost(chosen) <= self._cost(bound) + 2 and self._spans(chosen, wanted)
-        ]
-        minimal = [
-            (cost, chosen)
-            for cost, chosen in routes
-            if not any(set(other) < set(chosen) for _, other in routes)
-        ]
+        dearest = self._cost(bound) + 2
+        costs = [candidate.cost for candidate in self.candidates]
+        minimal: list[tuple[float, tuple[int, ...]]] = []
+        taken: list[frozenset[int]] = []
+        for size in range(len(near) + 1):
+            for chosen in combinations(near, size):
+                cost = sum(map(costs.__getitem__, chosen))
+                # What has more than a set that determines the goals is not the least.
+                if cost > dearest or any(map(frozenset(chosen).issuperset, taken)):
+                    continue
+                if self._spans(chosen, wanted):
+                    minimal.append((cost, chosen))
+                    taken.append(frozenset(chosen))
         minimal.sort(key=lambda basis: (basis[0], len(basis[1]), basis[1]))
         return [tuple(self.candidates[n] for n in chosen) for _, chosen in minimal[:most]]
 
@@ -237,10 +241,12 @@ def _reduced(rows: Sequence[Sequence[float]]) -> list[tuple[int, list[float]]]:
     basis: list[tuple[int, list[float]]] = []
     for row in rows:
         rest = _without(row, basis)
-        size = max((abs(x) for x in row), default=0.0)
-        lead = max(range(len(rest)), key=lambda k: abs(rest[k]), default=None)
-        if lead is None or not size or abs(rest[lead]) <= _ROUNDING * size:
+        size = max(map(abs, row), default=0.0)
+        sizes = list(map(abs, rest))
+        most = max(sizes, default=0.0)
+        if not size or most <= _ROUNDING * size:
             continue
+        lead = sizes.index(most)
         basis.append((lead, [x / rest[lead] for x in rest]))
     return basis
 
@@ -255,6 +261,6 @@ def _without(row: Sequence[float], basis: Sequence[tuple[int, list[float]]]) -> 
 
 
 def _within(row: Sequence[float], basis: Sequence[tuple[int, list[float]]]) -> bool:
-    size = max((abs(x) for x in row), default=0.0)
-    rest = _without(row, basis)
-    return all(abs(x) <= 1e-7 * size for x in rest) if size else True
+    size = max(map(abs, row), default=0.0)
+    # A row that has no number is in no span.
+    return not size or all(abs(x) <= 1e-7 * size for x in _without(row, basis))

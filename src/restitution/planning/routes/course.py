@@ -43,7 +43,7 @@ from restitution.planning.writing.desk import (
 )
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
-from restitution.planning.writing.polynomials import expanded, one_fraction
+from restitution.planning.writing.polynomials import derivative, expanded, one_fraction
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.records import dataclass
@@ -78,6 +78,8 @@ class Course:
         self.reasons: list[NotPlannedError] = []
         # Whether equations that no shape fits are solved together.
         self.resort = False
+        self._open_at: tuple[object, ...] | None = None
+        self._open_then: dict[tuple[sp.Expr, ...], frozenset[sp.Symbol]] = {}
         self._loosen_ties()
         self._forget_turned()
         self._take_given_masses()
@@ -173,9 +175,19 @@ class Course:
         )
 
     def _open(self, own: Candidate) -> frozenset[sp.Symbol]:
+        """The unknowns of an equation; they are kept while nothing new is known."""
+        state = self.scene.state(), len(self.scene.frames)
+        if self._open_at != state:
+            self._open_at = state
+            self._open_then.clear()
+        if own.residuals in self._open_then:
+            return self._open_then[own.residuals]
         apart = self._separating()
         put = [self._by_separation(x) if apart else x for x in own.residuals]
-        return frozenset(s for x in put for s in self.scene.unknown(x))
+        open_ = frozenset(s for x in put for s in self.scene.unknown(x))
+        if state == (self.scene.state(), len(self.scene.frames)):  # it may write lines
+            self._open_then[own.residuals] = open_
+        return open_
 
     def _by_separation(self, value: sp.Expr) -> sp.Expr:
         """A value with the speed of separation put in, where that is all of its two components."""
@@ -277,14 +289,14 @@ class Course:
         scene, free = self.scene, {s for value in values for s in symbols_in(value)}
         for symbol in sorted(self._letters.keys() & free, key=lambda symbol: symbol.name):
             tied = scene.desk.known(plain_letter(symbol.name))
-            others = set() if tied is None else tied.value.free_symbols & self._letters.keys()
-            if tied is None or others != tied.value.free_symbols or len(others) != 1:
+            others = set() if tied is None else symbols_in(tied.value) & self._letters.keys()
+            if tied is None or others != symbols_in(tied.value) or len(others) != 1:
                 continue
             if tied.value.is_Symbol:
                 continue  # both go on together
             (other,) = others
             source = scene.desk.known(plain_letter(other.name))
-            if source is None or source.value.free_symbols & self._letters.keys():
+            if source is None or symbols_in(source.value) & self._letters.keys():
                 continue
             value = tidy(tied.value.subs(other, source.value))
             relation = chain(Letter(symbol.name), (tree_of(value), None))
@@ -342,7 +354,7 @@ class Course:
         It is the other component, or a letter where that stands in both laws with its value.
         """
         (other,) = (other for other in symbols if other != symbol)
-        if any(other in difference.free_symbols for difference in residuals):
+        if any(other in symbols_in(difference) for difference in residuals):
             return other
         both = set.intersection(*(set(self.scene.unknown(difference)) for difference in residuals))
         others = [value for value in both if value != symbol]
@@ -362,7 +374,7 @@ class Course:
         """Whether a value has only the difference of the components after an impact in it."""
         put = self.scene.with_values(value)[0]
         components = self._after(number).keys() & symbols_in(put)
-        return not components or not sum(sp.diff(put, symbol) for symbol in components).expand()
+        return not components or not sum(derivative(put, symbol) for symbol in components).expand()
 
     def _line(self, own: Candidate) -> int | None:
         """The line of an equation that closes, with what is known put in."""
@@ -412,7 +424,7 @@ def _two_by_two(
     residuals: tuple[sp.Expr, ...], symbols: tuple[sp.Symbol, ...]
 ) -> dict[sp.Symbol, sp.Expr]:
     """Two linear equations in two unknowns, by determinants."""
-    rows = [[sp.diff(difference, s) for s in symbols] for difference in residuals]
+    rows = [[derivative(difference, s) for s in symbols] for difference in residuals]
     rest = [expanded(-difference.subs(dict.fromkeys(symbols, 0))) for difference in residuals]
     (a, b), (c, d) = rows
     whole = expanded(a * d - b * c)

@@ -21,6 +21,7 @@ from restitution.planning.formulas.impacts import before, closing_at_wall, resid
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
 
@@ -73,7 +74,7 @@ def _written(scene: Scene, number: int, symbol: sp.Symbol | None) -> bool:
     ray = as_a_multiple(ray)
     size, line = write_ray(scene, number, ray, _LETTERS, "silent")
     velocity = Quantity("velocity", (Name(body),), number)
-    late = Vector(*(sp.expand(component * size) for component in ray.direction))
+    late = Vector(*(expanded(component * size) for component in ray.direction))
     scene.desk.know(velocity, late, (line,))
     across = _law(scene, body, frame, "across")
     if set(scene.unknown(residual(scene, across))) == {size}:

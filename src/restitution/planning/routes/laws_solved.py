@@ -21,7 +21,7 @@ from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import Source, chain
 from restitution.planning.writing.forms import difference, product, total, tree_of
-from restitution.planning.writing.polynomials import one_fraction
+from restitution.planning.writing.polynomials import derivative, expanded, one_fraction
 from restitution.planning.writing.scene import Scene
 
 _PAIR = 2
@@ -38,7 +38,7 @@ def tidied_law(scene: Scene, number: int, symbols: Sequence[sp.Symbol]) -> int:
     if len(sides) != 1 or not _has_sums_in_a_sum(sides[0]):
         return number
     own = residual(scene, number)
-    coefficients = [sp.diff(own, symbol) for symbol in symbols]
+    coefficients = [derivative(own, symbol) for symbol in symbols]
     if any(
         coefficient.free_symbols & set(symbols) or coefficient.has(sp.Add)
         for coefficient in coefficients
@@ -49,7 +49,7 @@ def tidied_law(scene: Scene, number: int, symbols: Sequence[sp.Symbol]) -> int:
     if shared == 0:
         return number
     sign = -1 if sides[0] == link.left else 1
-    worth = tidy(one_fraction(sp.expand(-sign * rest / shared)))
+    worth = tidy(one_fraction(expanded(-sign * rest / shared)))
     terms = [
         product(tree_of(tidy(sign * coefficient / shared)), Letter(symbol.name))
         for coefficient, symbol in zip(coefficients, symbols, strict=True)
@@ -86,8 +86,8 @@ def put_into_restitution(
     It is written so only where the other is plain enough to be added to that in the head.
     """
     own = residual(scene, law)
-    slope = sp.diff(own, symbol)
-    if slope not in (1, -1) or sp.diff(own, other) != -slope or not _is_plain(known.value):
+    slope = derivative(own, symbol)
+    if slope not in (1, -1) or derivative(own, other) != -slope or not _is_plain(known.value):
         return False
     apart = tidy(one_fraction(-own.subs({symbol: 0, other: 0}) * slope))
     components = {component.symbol for component in scene.model.components.values()}
@@ -97,7 +97,7 @@ def put_into_restitution(
     tree = tree_of(known.value)
     stated = None if lead else _as_stated(scene, law, apart)
     form = difference(tree, tree_of(-apart)) if lead else total((tree, stated or tree_of(apart)))
-    value = tidy(one_fraction(sp.expand(known.value + apart)))
+    value = tidy(one_fraction(expanded(known.value + apart)))
     relation = chain(Letter(symbol.name), (form, None), (tree_of(value), "rearrange"))
     refs = scene.judge.enough(Move("put"), (law, *known.refs), relation)
     if refs is None or len(refs) != _PAIR:

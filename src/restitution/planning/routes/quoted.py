@@ -25,6 +25,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.shares_left import as_a_loss
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import product_without, square, tree_of
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
@@ -232,7 +233,7 @@ def _without_its_root(scene: Scene, equation: GivenEquation, known: Source) -> i
     angles = {ratio.args[0]: sp.Dummy("c", positive=True) for ratio in value.atoms(sp.sin, sp.cos)}
     put = {sp.cos(value): c for value, c in angles.items()}
     put |= {sp.sin(value): sp.sqrt(1 - c**2) for value, c in angles.items()}
-    plain = tidy(sp.sqrt(sp.expand(value.xreplace(put) ** 2)))
+    plain = tidy(sp.sqrt(expanded(value.xreplace(put) ** 2)))
     if more or has_root(plain) or plain.atoms(sp.Dummy):
         return None
     refs = (ref for symbol in equal for ref in scene.put(symbol)[1])

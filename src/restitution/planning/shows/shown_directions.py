@@ -41,6 +41,7 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.place_trees import AXES, Axis
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.problem import (
     Aligned,
@@ -341,7 +342,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     )
     factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
     # What is at rest has no direction, and nothing is claimed of it.
-    sizes = [sp.expand(own[0] ** 2 + own[1] ** 2) for own in ((ax, ay), (bx, by))]
+    sizes = [expanded(own[0] ** 2 + own[1] ** 2) for own in ((ax, ay), (bx, by))]
     moving = [Formula(size, ">") for size in sizes if size.free_symbols]
     sign = proved_sign(scene.model.oracle.with_facts(moving), factor)
     sense = 1 if right is link.right else -1

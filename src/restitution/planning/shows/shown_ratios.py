@@ -42,7 +42,12 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import cancelled, expanded, one_fraction
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.scene import Scene
 
 _OTHER = {"sin": "cos", "cos": "sin"}
@@ -82,7 +87,7 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
     if put.has(sp.cos(angle), sp.sin(angle)) or put.free_symbols != {t}:
         worths.back(mark)
         return None
-    poly = sp.Poly(put, t)
+    poly = polynomial_in(put, t)
     terms: list[Expression] = []
     for (power,), share in reversed(poly.terms()):
         tree = own.left if power == 1 else square(own.left)

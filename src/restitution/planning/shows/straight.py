@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import sympy as sp
-
 from restitution.explaining.lines.derivation import Link, Move, Relation, numbers_in
 from restitution.expression.tree import (
     Apply,
@@ -17,7 +15,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import alike
-from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.polynomials import cancelled, expanded
 from restitution.planning.writing.scene import Scene
 
 _WORKED = frozenset({"rearrange", "cancel", "put", "identity"})
@@ -73,7 +71,7 @@ def _is_multiple(scene: Scene, shown: Link, number: int) -> bool:
     if has_quantity(link.left) or has_quantity(link.right):
         return False
     own, wanted = (scene.scalar(e.left) - scene.scalar(e.right) for e in (link, shown))
-    return bool(expanded(own) != 0 and sp.cancel(wanted / own).is_number)
+    return bool(expanded(own) != 0 and cancelled(wanted / own).is_number)
 
 
 def without_a_detour(scene: Scene, shown: Link, number: int) -> int:

@@ -13,7 +13,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, lette
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import product, tree_of
 from restitution.planning.writing.judging import Judge
-from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.polynomials import expanded, one_fraction, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -61,9 +61,9 @@ def _gone(scene: Scene, first: int, tie: int, link: Link) -> tuple[sp.Symbol, sp
     if len(names) != 1 or name not in letters(link.right):
         return None
     (symbol,) = names
-    above, below = sp.fraction(sp.together(right))
+    above, below = sp.fraction(one_fraction(right))
     tangent = sp.tan(sp.Symbol(name, positive=True))
-    whole = sp.Poly(expanded(tangent * below - above), symbol)
+    whole = polynomial_in(expanded(tangent * below - above), symbol)
     if whole.degree() != 1:
         return None
     return symbol, expanded(-whole.nth(0) / whole.nth(1))
@@ -86,7 +86,7 @@ def _by_the_tie(
     if letter is None:
         return None
     whole = scene.scalar(scene.desk.last_link(first).right)
-    put = sp.factor(sp.together(in_sines(whole.subs(symbol, value))))
+    put = sp.factor(one_fraction(in_sines(whole.subs(symbol, value))))
     above, below = sp.fraction(put)
     plain = _grouped(above) / below
     written = tree_of(plain, as_it_is=True)
@@ -107,8 +107,8 @@ def _grouped(above: sp.Expr) -> sp.Expr:
     factors = sp.Mul.make_args(above)
     sums = [factor for factor in factors if factor.has(sp.sin, sp.cos)]
     rest = sp.Mul(*(factor for factor in factors if factor not in sums))
-    whole = sp.expand(sp.Mul(*sums))
-    return -rest * sp.expand(-whole) if rest.could_extract_minus_sign() else rest * whole
+    whole = expanded(sp.Mul(*sums))
+    return -rest * expanded(-whole) if rest.could_extract_minus_sign() else rest * whole
 
 
 def _written_out(tree: Expression) -> Expression:

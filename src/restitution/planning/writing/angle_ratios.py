@@ -15,6 +15,7 @@ from restitution.expression.tree import Apply, Binary, Degrees, Expression, Lett
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
 from restitution.planning.writing.forms import ONE, TWO, difference, product, square, total, tree_of
 from restitution.planning.writing.judging import Judge
+from restitution.planning.writing.polynomials import expanded, one_fraction
 
 
 class Angles(Protocol):
@@ -51,7 +52,7 @@ def ratio_of(kind: str, angle: sp.Expr) -> sp.Expr:
     ratio = tidy(getattr(sp, kind)(angle))
     if kind == "tan" or not ratio.is_number or not any(map(_has_root, ratio.atoms(sp.Pow))):
         return ratio
-    square = sp.radsimp(sp.expand(getattr(sp, kind)(angle) ** 2))
+    square = sp.radsimp(expanded(getattr(sp, kind)(angle) ** 2))
     if any(map(_has_root, square.atoms(sp.Pow))):
         return ratio
     root = sp.sqrt(square) if ratio.is_positive else -sp.sqrt(square)
@@ -149,15 +150,15 @@ def _over_one_root(
 
     Those that are no shorter so are left out.
     """
-    above, below = sp.fraction(sp.together(tangent))
+    above, below = sp.fraction(one_fraction(tangent))
     if not tangent.free_symbols or not below.free_symbols:
         return {}
     if scene.model.sign(scene.model.in_data(below)) < 0:
         above, below = -above, -below
-    whole = sp.expand(above**2 + below**2)
+    whole = expanded(above**2 + below**2)
     # √3 and 3e are 1 and √3 e: no number is left in all of the root.
     shared = sp.sqrt(whole.as_content_primitive()[0])
-    above, below, root = above / shared, below / shared, sp.sqrt(sp.expand(whole / shared**2))
+    above, below, root = above / shared, below / shared, sp.sqrt(expanded(whole / shared**2))
     own = {"sin": above / root, "cos": below / root}
     return {
         kind: own[kind]
@@ -298,9 +299,9 @@ def square_of_cosine(scene: Angles, letter: Letter, tangent: Source) -> int:
     whole = Binary("/", ONE, total((ONE, square(tree_of(tangent.value)))))
     premises = (*tangent.refs, range_of(scene, letter.name))
     first = scene.desk.write(Move("triangle"), premises, chain(squared, (whole, None)))
-    above, below = sp.fraction(sp.together(sp.expand(1 + tangent.value**2)))
+    above, below = sp.fraction(one_fraction(expanded(1 + tangent.value**2)))
     value = tidy(sp.radsimp(below / above))
-    steps = [Binary("/", tree_of(below), tree_of(sp.expand(above), as_it_is=True)), tree_of(value)]
+    steps = [Binary("/", tree_of(below), tree_of(expanded(above), as_it_is=True)), tree_of(value)]
     one, *rest = dict.fromkeys(steps)
     by: MoveId = "rearrange"
     relation = chain(squared, (one, None), *((tree, by) for tree in rest))

@@ -26,6 +26,8 @@ def with_angles_of_paths(derivation: Derivation, oracle: Oracle) -> Derivation:
         for angle in dict.fromkeys(_angles(derivation))
         for node, own in _of_the_opposite(angle)
     }
+    if not put:
+        return derivation
     changed = {
         line.number: own for line in derivation.lines if (own := _with(line, put)) is not line
     }

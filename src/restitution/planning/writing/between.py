@@ -43,7 +43,7 @@ from restitution.planning.writing.forms import (
     tree_of,
 )
 from restitution.planning.writing.one_fraction import over_one_line
-from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.polynomials import cancelled, expanded, one_fraction
 from restitution.planning.writing.scene import Scene
 from restitution.records import dataclass
 
@@ -92,7 +92,7 @@ def _keeps_squares(scene: Scene, right: Expression, final: Expression) -> bool:
         return False
     own = [_primitive(scene, node.left) for node in walk(right) if _is_square_of_sum(node)]
     kept = [_primitive(scene, node.left) for node in walk(final) if _is_square_of_sum(node)]
-    return bool(own) and all(value in kept or sp.expand(-value) in kept for value in own)
+    return bool(own) and all(value in kept or expanded(-value) in kept for value in own)
 
 
 def _of_both_squares(scene: Scene, root: Expression, final: Expression) -> Expression | None:
@@ -110,10 +110,10 @@ def _of_both_squares(scene: Scene, root: Expression, final: Expression) -> Expre
     (one, first), (other, second) = (
         term.as_independent(sp.sin, sp.cos, as_Add=False) for term in terms
     )
-    ratio = sp.cancel(one / other)
+    ratio = cancelled(one / other)
     if not ratio.is_Rational or ratio == 1:
         return None
-    outside = sp.sqrt(sp.cancel(one / ratio.p))
+    outside = sp.sqrt(cancelled(one / ratio.p))
     if outside == 1 or not all(power.exp.is_Integer for power in outside.atoms(sp.Pow)):
         return None
     both = sp.sqrt(ratio.p * first + ratio.q * second)
@@ -131,8 +131,8 @@ def root_of_a_square(scene: Scene, value: Expression) -> tuple[Expression, ...]:
         return ()
     whole = sp.sympify(scene.scalar(value), strict=True)
     own = _primitive(scene, value)
-    ratio, rest = sp.cancel(whole**2 / own**2).as_coeff_Mul()
-    above = product(number(ratio.p), tree_of(sp.expand(own**2), as_it_is=True), tree_of(rest))
+    ratio, rest = cancelled(whole**2 / own**2).as_coeff_Mul()
+    above = product(number(ratio.p), tree_of(expanded(own**2), as_it_is=True), tree_of(rest))
     worked = above if ratio.q == 1 else Binary("/", above, number(ratio.q))
     return Apply("sqrt", worked), Apply("sqrt", square(value))
 
@@ -163,7 +163,7 @@ def _collected(scene: Scene, right: Expression, final: Expression) -> list[Expre
         return []
     above, below = sp.fraction(sp.factor(sp.sympify(scene.scalar(right), strict=True)))
     factor = sp.Mul(*(factor for factor in sp.Mul.make_args(above) if not _has_sum(factor)))
-    whole = sp.expand(sp.cancel(above / factor))
+    whole = expanded(cancelled(above / factor))
     if below.free_symbols or len(whole.args) <= _COLLECTED:
         return []
     if factor.as_coeff_Mul()[0].is_negative:
@@ -203,12 +203,12 @@ class _Term:
         if len(sums) != 1:
             return cls(whole, sp.Integer(1))
         base = _primitive(scene, sums[0].left)
-        return cls(sp.cancel(whole / base**2), base)
+        return cls(cancelled(whole / base**2), base)
 
     @property
     def is_short(self) -> bool:
         """Whether the square is multiplied out in the head."""
-        return len(sp.Add.make_args(sp.expand(self.base**2))) <= _TERMS_SQUARED
+        return len(sp.Add.make_args(expanded(self.base**2))) <= _TERMS_SQUARED
 
 
 def is_square(tree: Expression) -> TypeGuard[Binary]:
@@ -273,18 +273,18 @@ def _with_squares(scene: Scene, tree: Expression) -> Expression:
             return tree
         whole = sp.sympify(scene.scalar(tree), strict=True)
         own = _primitive(scene, tree.left)
-        value, others = own**2, sp.cancel(whole / own**2)
+        value, others = own**2, cancelled(whole / own**2)
         if not own.free_symbols:
-            value, others = sp.factor_terms(sp.expand(whole)).as_independent(
+            value, others = sp.factor_terms(expanded(whole)).as_independent(
                 *whole.free_symbols, as_Add=False
             )
         elif others != 1:
             ratio, rest = others.as_coeff_Mul()
             above = product(number(ratio.p), tree_of(rest), total(map(_term, _parts(own**2))))
             return above if ratio.q == 1 else Binary("/", above, number(ratio.q))
-        value = sp.expand(value)
+        value = expanded(value)
         below = sp.ilcm(1, *(term.as_coeff_Mul()[0].q for term in sp.Add.make_args(value)))
-        above = product(tree_of(sp.expand(value * below), as_it_is=True), tree_of(others))
+        above = product(tree_of(expanded(value * below), as_it_is=True), tree_of(others))
         return above if below == 1 else Binary("/", above, number(int(below)))
 
     return rebuilt(tree, change)
@@ -295,12 +295,12 @@ def _with_squares(scene: Scene, tree: Expression) -> Expression:
 
 def _in_terms(terms: list[_Term], final: sp.Expr) -> list[Expression]:
     """The common factor of all terms, and in brackets what is left of them, in their order."""
-    fractions = [sp.fraction(sp.together(term.factor)) for term in terms]
-    below = sp.factor(sp.lcm_list([sp.expand(value) for _, value in fractions]))
-    above = [top * sp.factor(sp.cancel(below / bottom)) for top, bottom in fractions]
-    common = sp.factor(sp.gcd_list([sp.expand(value) for value in above]))
+    fractions = [sp.fraction(one_fraction(term.factor)) for term in terms]
+    below = sp.factor(sp.lcm_list([expanded(value) for _, value in fractions]))
+    above = [top * sp.factor(cancelled(below / bottom)) for top, bottom in fractions]
+    common = sp.factor(sp.gcd_list([expanded(value) for value in above]))
     factor = sp.Mul(*(factor for factor in sp.Mul.make_args(common) if not _has_sum(factor)))
-    rest = [sp.factor(sp.cancel(value / factor)) for value in above]
+    rest = [sp.factor(cancelled(value / factor)) for value in above]
     shared = sp.ilcm(1, *(sp.Rational(value.as_coeff_Mul()[0]).q for value in rest))
     below, rest = below * shared, [value * shared for value in rest]
     inside = total(
@@ -313,8 +313,8 @@ def _in_terms(terms: list[_Term], final: sp.Expr) -> list[Expression]:
     # A number below has the place that it has in the value.
     line = _is_over_a_number(tree_of(final))
     lines = [_put_together(factor, inside, below, line=line)]
-    collected = sp.expand(whole)
-    if not _divisors(below) <= _divisors(sp.fraction(sp.together(final))[1]):
+    collected = expanded(whole)
+    if not _divisors(below) <= _divisors(sp.fraction(one_fraction(final))[1]):
         above_ = tree_of(sp.factor(factor * collected))
         lines.append(Binary("/", above_, tree_of(below)))
     elif len(sp.Add.make_args(collected)) > _COLLECTED and not below.free_symbols:
@@ -373,7 +373,7 @@ def _parts(value: sp.Expr) -> Iterable[sp.Expr]:
         powers = term.as_powers_dict()
         return sum(int(powers[s]) for s in term.free_symbols), sp.default_sort_key(term)
 
-    return sorted(sp.Add.make_args(sp.expand(value)), key=degree)
+    return sorted(sp.Add.make_args(expanded(value)), key=degree)
 
 
 def _term(value: sp.Expr) -> Expression:
@@ -391,12 +391,12 @@ def _in_products(scene: Scene, tree: Expression) -> list[Expression]:
     values = [sp.sympify(scene.scalar(term), strict=True) for term in terms]
     parts = [sp.fraction(sp.factor(value)) for value in values]
     below = sp.factor(sp.lcm_list([bottom for _, bottom in parts]))
-    above = [sp.cancel(top * below / bottom) for top, bottom in parts]
+    above = [cancelled(top * below / bottom) for top, bottom in parts]
     common = sp.factor(sp.gcd_list(above))
     sums = [factor for factor in sp.Mul.make_args(common) if _has_sum(factor)]
     if not sums:
         return []
-    rest = total(_signed(sp.cancel(value / common)) for value in above)
+    rest = total(_signed(cancelled(value / common)) for value in above)
     whole = product(*factors(tree_of(common)), rest)
     last = whole if below == 1 else Binary("/", whole, tree_of(below))
     sum_ = sp.Mul(*sums) / below
@@ -418,17 +418,17 @@ def _as_product(scene: Scene, tree: Expression, common: sp.Expr) -> Expression:
         case Binary("-", left, right) if is_square(left) and is_square(right):
             x, y = (sp.sympify(scene.scalar(node.left), strict=True) for node in (left, right))
             one, other = sp.factor(x - y), sp.factor(x + y)
-            ratio = sp.cancel(one / common)
+            ratio = cancelled(one / common)
             if any(map(_has_sum, sp.Mul.make_args(sp.fraction(sp.factor(ratio))[1]))):
                 one, other = other, one
-            if sp.factor_terms(sp.cancel(one / common)).as_coeff_Mul()[0].is_negative:
+            if sp.factor_terms(cancelled(one / common)).as_coeff_Mul()[0].is_negative:
                 one, other = -one, -other
-            bottoms = [sp.fraction(sp.together(value))[1] for value in (one, other)]
+            bottoms = [sp.fraction(one_fraction(value))[1] for value in (one, other)]
             if not any(value.free_symbols for value in bottoms):
                 return product(*front, tree_of(one), tree_of(other))
             lead = sp.sympify(scene.scalar(product(*front)), strict=True) * one * bottoms[0]
-            ratio, lead = sp.factor(sp.cancel(lead)).as_coeff_Mul()
-            tops = (number(ratio.p), tree_of(lead), tree_of(sp.cancel(other * bottoms[1])))
+            ratio, lead = sp.factor(cancelled(lead)).as_coeff_Mul()
+            tops = (number(ratio.p), tree_of(lead), tree_of(cancelled(other * bottoms[1])))
             whole = product(*(factor for top in tops for factor in factors(top)))
             return Binary("/", whole, tree_of(ratio.q * sp.Mul(*bottoms)))
     return tree

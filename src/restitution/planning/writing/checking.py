@@ -40,7 +40,8 @@ class Floats:
     zero = 0.0
 
     def number(self, value: Fraction) -> float:
-        return float(value)
+        above, below = value.as_integer_ratio()
+        return above / below
 
     def sqrt(self, x: float) -> float:
         return math.sqrt(x) if x > 0 else 0.0

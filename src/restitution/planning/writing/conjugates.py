@@ -21,6 +21,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import product, tree_of
+from restitution.planning.writing.polynomials import expanded
 
 
 def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
@@ -61,13 +62,13 @@ def _multiplied(link: Link) -> Expression | None:
             return None
     if letters(below) or any(_is_over_roots(node) for node in walk(link.right)):
         return None
-    terms = sp.Add.make_args(sp.expand(in_letters(below)))
+    terms = sp.Add.make_args(expanded(in_letters(below)))
     if len(terms) != 2 or any(abs(term).is_rational is None for term in terms):
         return None
     first, second = sorted(terms, key=lambda term: -float(abs(term)))
     other = abs(first) - abs(second) if first * second > 0 else abs(first) + abs(second)
     content = sp.gcd_list([abs(term.as_coeff_Mul()[0]) for term in terms])
-    tree = tree_of(tidy(sp.expand(other / content)))
+    tree = tree_of(tidy(expanded(other / content)))
     return Binary("/", product(above, tree), product(below, tree))
 
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.data.paths_and_lines import (
     angle_between,
     angles_between,
@@ -225,7 +226,7 @@ def _share_in_numbers(velocity: Expression, size: sp.Expr, ratio: sp.Expr) -> Ex
 
 def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
     """The size of a ratio as the sine or cosine of whole degrees; None where it is none."""
-    if not ratio.is_number or ratio.atoms(sp.sin, sp.cos, sp.tan) or abs(ratio) in (0, 1):
+    if not ratio.is_number or atoms_in(ratio, sp.sin, sp.cos, sp.tan) or abs(ratio) in (0, 1):
         return None
     size = sp.Abs(ratio)
     angle = (sp.asin if function == "sin" else sp.acos)(size) * 180 / sp.pi

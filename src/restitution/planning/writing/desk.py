@@ -192,7 +192,7 @@ class Desk:
     """The paths with which the line of centres of an impact makes an angle that has a letter."""
     version: int = 0
     """How often what is known has changed."""
-    _sources: dict[Expression, list[Source]] = field(default_factory=dict)
+    _sources: dict[Expression, tuple[Source, ...]] = field(default_factory=dict)
     _scopes: dict[Ref, Scope] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -218,7 +218,8 @@ class Desk:
             if (
                 _is_same(line.relation, relation)
                 or (
-                    line.move == move
+                    line.move.id == move.id
+                    and line.move == move
                     and _goes_further(line.relation, relation)
                     and set(line.premises) == set(refs)
                 )
@@ -338,13 +339,13 @@ class Desk:
         """From here on a quantity, a letter, or a ratio of an angle has a value."""
         source = Source(value, tuple(refs))
         self.version += 1
-        self._sources.setdefault(quantity, []).append(source)
+        self._sources[quantity] = (*self._sources.get(quantity, ()), source)
         return source
 
     def known(self, quantity: Expression) -> Source | None:
         """The latest value of a quantity, or of a letter, that is in force; None without one."""
-        for source in reversed(self._sources.get(quantity, [])):
-            if all(self.holds(ref) for ref in source.refs):
+        for source in reversed(self._sources.get(quantity, ())):
+            if all(map(self.holds, source.refs)):
                 return source
         return None
 
@@ -365,14 +366,15 @@ class Desk:
     def forget_value(self, letter: Expression, source: Source) -> None:
         """What a letter is known to be is forgotten; the lines stay."""
         self.version += 1
-        self._sources[letter] = [other for other in self._sources[letter] if other is not source]
+        own = self._sources[letter]
+        self._sources[letter] = tuple(other for other in own if other is not source)
 
     def forget_components(self, mark: Mark) -> None:
         """Forgets what components have come to since a mark, of which the lines stay."""
         self.version += 1
         for key in list(self._sources):
             if is_quantity(key, "along", "across", "velocity"):
-                self._sources[key] = list(mark.sources.get(key, []))
+                self._sources[key] = mark.sources.get(key, ())
 
     # --- solutions apart ---------------------------------------------------------------------
 
@@ -388,7 +390,7 @@ class Desk:
             early=dict(self.early),
             waiting=dict(self.waiting),
             shown=list(self.shown),
-            _sources={tree: list(own) for tree, own in self._sources.items()},
+            _sources=dict(self._sources),
             _scopes=dict(self._scopes),
         )
 
@@ -396,16 +398,16 @@ class Desk:
         """Has all values in the letters of a part, in which more may be known of their signs."""
         self.version += 1
         for key, own in self._sources.items():
-            self._sources[key] = [
+            self._sources[key] = tuple(
                 replace(source, value=_in_letters(source.value, letters)) for source in own
-            ]
+            )
 
     def take_last(self) -> None:
         """Takes away the last line, and the values that it gives."""
         number = len(self.lines)
         self.version += 1
         for key, own in self._sources.items():
-            self._sources[key] = [source for source in own if number not in source.whole]
+            self._sources[key] = tuple(source for source in own if number not in source.whole)
         del self._scopes[number], self.lines[-1]
 
     def rewrite(self, line: Line) -> None:
@@ -417,8 +419,8 @@ class Desk:
     def forget(self, number: int) -> None:
         """Forgets the values that lines below one give, since they are those of one case."""
         for key, own in self._sources.items():
-            kept = [e for e in own if all(isinstance(r, str) or r < number for r in e.whole)]
-            self._sources[key] = kept
+            kept = (e for e in own if all(isinstance(r, str) or r < number for r in e.whole))
+            self._sources[key] = tuple(kept)
         for line in self.lines:
             self._scopes[line.number] = common_scope(map(self._scope, line.premises))
 
@@ -453,7 +455,7 @@ class Desk:
 
     def mark(self) -> Mark:
         """The state of the desk, to which ``back`` returns."""
-        sources = {key: list(values) for key, values in self._sources.items()}
+        sources = dict(self._sources)
         counts = len(self.lines), len(self.ends), len(self.notes), len(self.others)
         return Mark(*counts, sources, dict(self._scopes), self.splits)
 
@@ -463,7 +465,7 @@ class Desk:
         del self.lines[mark.lines :]
         del self.ends[mark.ends :]
         del self.notes[mark.notes :]
-        self._sources = {key: list(values) for key, values in mark.sources.items()}
+        self._sources = dict(mark.sources)
         self._scopes = dict(mark.scopes)
         self.splits = mark.splits
         del self.others[mark.others :]
@@ -478,7 +480,7 @@ class Mark:
     ends: int
     notes: int
     others: int
-    sources: Mapping[Expression, list[Source]]
+    sources: Mapping[Expression, tuple[Source, ...]]
     scopes: Mapping[Ref, Scope]
     splits: tuple[tuple[int, int], ...]
 

@@ -39,6 +39,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import cancelled, one_fraction
 from restitution.records import dataclass
 
 _TANGENTS = ("tan", "tan-direction")
@@ -232,9 +233,9 @@ def _multiple_of_tangent(quotient: Expression, name: str) -> Expression | None:
         return None
     value, angle = in_letters(quotient), sp.Symbol(name)
     for ratio in (sp.tan(angle), 1 / sp.tan(angle)):
-        factor = sp.cancel(sp.together(value * sp.cos(angle) / sp.sin(angle)))
+        factor = cancelled(one_fraction(value * sp.cos(angle) / sp.sin(angle)))
         if ratio != sp.tan(angle):
-            factor = sp.cancel(sp.together(value * sp.sin(angle) / sp.cos(angle)))
+            factor = cancelled(one_fraction(value * sp.sin(angle) / sp.cos(angle)))
         if angle not in factor.free_symbols:
             return tree_of(tidy(factor * ratio))
     return None

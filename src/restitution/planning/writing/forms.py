@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.degrees import function_of, with_ratio
+from restitution.exact.symbols import atoms_in, symbols_in
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
@@ -21,10 +23,12 @@ from restitution.expression.tree import (
     Number,
     Pi,
     Unit,
+    functions_in,
     has_quantity,
     is_binary,
     is_function,
     is_zero,
+    letters,
     plain_letter,
     unsigned,
     walk,
@@ -61,7 +65,7 @@ def neat(value: Any) -> Any:
     own = sp.sympify(value, strict=True)
     multiples = {
         atom.args[0]
-        for atom in own.atoms(sp.sin, sp.cos, sp.tan)
+        for atom in atoms_in(own, sp.sin, sp.cos, sp.tan)
         if not atom.args[0].is_Symbol and len(atom.args[0].free_symbols) <= 1
     }
     if not multiples:
@@ -76,14 +80,14 @@ def neat(value: Any) -> Any:
     }
     functions = {
         atom: function_of(atom)(names[atom.args[0]])
-        for atom in own.atoms(sp.sin, sp.cos, sp.tan)
+        for atom in atoms_in(own, sp.sin, sp.cos, sp.tan)
         if atom.args[0] in names
     }
     back = {dummy: angle for angle, dummy in names.items()}
     whole = tidy(own.xreplace(functions))
     ratios = {
         atom: with_ratio(function_of(atom), back[atom.args[0]])
-        for atom in whole.atoms(sp.sin, sp.cos, sp.tan)
+        for atom in atoms_in(whole, sp.sin, sp.cos, sp.tan)
         if atom.args[0] in back
     }
     return _with_tangents(_with_contents_out(whole.xreplace(ratios).xreplace(back)))
@@ -166,7 +170,7 @@ def _tree_of(own: sp.Expr, angle: bool, as_it_is: bool) -> Expression:
 
 def in_tangents(value: sp.Expr) -> sp.Expr:
     """A quotient with sine over cosine as the tangent."""
-    for ratio in value.atoms(sp.sin):
+    for ratio in atoms_in(value, sp.sin):
         (argument,) = ratio.args
         cosine = with_ratio(sp.cos, argument)
         put = cancelled(value.subs(ratio, sp.Symbol("_t") * cosine))
@@ -239,7 +243,7 @@ def product(*factors: Expression) -> Expression:
             minus, factor = not minus, factor.operand
         if is_zero(factor):
             return ZERO
-        if factor != ONE:
+        if not is_one(factor):
             kept.append(factor)
     if not any(map(_begins_with_a_number, kept)):
         kept.sort(key=lambda tree: not is_rational(tree))  # 2w, not w × 2; but 2m × 4/3
@@ -247,6 +251,11 @@ def product(*factors: Expression) -> Expression:
     for factor in kept[1:]:
         total = Binary("*", total, factor)
     return Negate(total) if minus else total
+
+
+def is_one(tree: Expression) -> bool:
+    """Whether a tree is the number 1."""
+    return type(tree) is Number and tree.value == 1
 
 
 def _begins_with_a_number(tree: Expression) -> bool:
@@ -431,9 +440,9 @@ def swept(tree: Expression) -> Expression:
             case Binary("/", left, right):
                 return _quotient(left, right)
             case Binary("^", left, right):
-                if right == ONE:
+                if is_one(right):
                     return left
-                return square(left) if right == Number(Fraction(2)) else tree
+                return square(left) if type(right) is Number and right.value == 2 else tree
         return tree
 
     return rebuilt(tree, change)
@@ -450,7 +459,7 @@ def _one_fraction(factor: Expression) -> Expression:
 def _quotient(above: Expression, below: Expression) -> Expression:
     if is_zero(above):
         return ZERO
-    if below == ONE:
+    if is_one(below):
         return above
     if isinstance(above, Negate) and isinstance(below, Negate):
         return Binary("/", above.operand, below.operand)
@@ -473,11 +482,12 @@ def alike(a: Expression, b: Expression) -> bool:
     """
     if a == b:
         return True
-    if is_rational(unsigned(a)):
+    if is_rational(unsigned(a)) or letters(a) != letters(b):
         return False
-    return _shape(a) == _shape(b)
+    return functions_in(a) == functions_in(b) and _shape(a) == _shape(b)
 
 
+@lru_cache(maxsize=4096)
 def _shape(tree: Expression) -> str:
     """An expression as text in which brackets and order make no difference."""
     match tree:
@@ -545,7 +555,7 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
             case Binary("/", left, right):
                 take(left, up, down)
                 take(right, down, up)
-            case _ if tree != ONE:
+            case _ if not is_one(tree):
                 up.append(_shape(tree))
 
     take(tree, above, below)
@@ -579,7 +589,7 @@ def tangents_opened(*sides: Expression) -> tuple[Expression, ...]:
 
 def is_in_degrees(value: sp.Expr) -> bool:
     """Whether a number has ratios of angles such as 37°."""
-    return not value.free_symbols and value.has(sp.sin, sp.cos, sp.tan)
+    return not symbols_in(value) and value.has(sp.sin, sp.cos, sp.tan)
 
 
 def product_without(tree: Expression, factor: Expression) -> Expression | None:

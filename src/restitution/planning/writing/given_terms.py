@@ -14,7 +14,7 @@ from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.expression.tree import Apply, Expression, Letter
 from restitution.planning.writing.desk import Desk
-from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import expanded, factored, one_fraction, polynomial_in
 
 
 def turn_round(model: Model, wanted: frozenset[str]) -> bool:
@@ -86,7 +86,7 @@ def _inverse(
         gap = own**2 - sp.simplify(x**2)  # a root: both sides squared
     above = sp.fraction(factored(one_fraction(expanded(gap))))[0]
     try:
-        poly = sp.Poly(expanded(above), t)
+        poly = polynomial_in(expanded(above), t)
     except sp.PolynomialError:
         return None
     powers = {n for (n,) in poly.monoms()}

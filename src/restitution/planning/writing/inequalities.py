@@ -17,7 +17,13 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.writing.forms import difference, negative, product, square, tree_of
-from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factored,
+    one_fraction,
+    polynomial_in,
+)
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
@@ -171,7 +177,7 @@ def linear_in(
     if kinds != {sp.sin, sp.cos}:
         return None
     try:
-        mixed = sp.Poly(x, sp.sin(symbol), sp.cos(symbol))
+        mixed = polynomial_in(x, sp.sin(symbol), sp.cos(symbol))
     except sp.PolynomialError:
         return None
     most = max(sum(monom) for monom in mixed.monoms())
@@ -186,7 +192,7 @@ def _linear_poly(
     x: sp.Expr, t: sp.Symbol, value: sp.Expr, tree: Expression
 ) -> tuple[Expression, sp.Expr, sp.Expr, sp.Expr] | None:
     try:
-        poly = sp.Poly(x, t)
+        poly = polynomial_in(x, t)
     except sp.PolynomialError:
         return None
     powers = {m for (m,) in poly.monoms()}
@@ -233,12 +239,12 @@ def completed_parts(
     """
     if not x.is_polynomial(symbol):
         return None
-    poly = sp.Poly(sp.expand(x), symbol)
+    poly = polynomial_in(expanded(x), symbol)
     if poly.degree() != 2:
         return None
     lead, middle, rest = (factored(poly.nth(n)) for n in (2, 1, 0))
-    least = sp.cancel(-middle / (2 * lead))
-    more = sp.cancel(rest / lead - least**2)
+    least = cancelled(-middle / (2 * lead))
+    more = cancelled(rest / lead - least**2)
     return (lead, least, more) if least.is_Rational and more.is_Rational else None
 
 

@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Binary, letters
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import swept, tangents_opened, tree_of
+from restitution.planning.writing.polynomials import cancelled
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -70,7 +71,7 @@ def in_one_tangent(value: sp.Expr) -> sp.Expr | None:
         )
         for ratio in ratios
     }
-    own = sp.cancel(value.xreplace(put).subs(c, 1 / sp.sqrt(1 + t**2)))
+    own = cancelled(value.xreplace(put).subs(c, 1 / sp.sqrt(1 + t**2)))
     if own.free_symbols != {t} or not own.is_rational_function(t):
         return None
     return own.xreplace({t: sp.tan(smallest)})

@@ -38,6 +38,7 @@ from restitution.planning.writing.forms import (
     tree_of,
     vector,
 )
+from restitution.planning.writing.polynomials import expanded
 from restitution.records import dataclass
 from restitution.vector import Vector
 
@@ -132,7 +133,7 @@ def _component(line: Line) -> _Component | None:
     match quotient:
         case Binary("/", above, Apply("sqrt", Number()) as size):
             above = negative(above) if isinstance(right, Negate) else above
-            value = tidy(sp.expand(in_letters(above)))
+            value = tidy(expanded(in_letters(above)))
             return _Component(line, kind, body, stage, velocity, above, value, size)
     return None
 

@@ -46,6 +46,18 @@ def is_factored_quadratic(value: sp.Expr, unknown: Collection[sp.Symbol]) -> boo
     return sum(sums) > 1 and bool(expanded(value).coeff(letter, 1))
 
 
+@remembered(1024)
+def polynomial_in(x: sp.Expr, *letters: sp.Basic) -> sp.Poly:
+    """An expression as a polynomial in some letters. Raises PolynomialError where it is none."""
+    return sp.Poly(x, *letters)
+
+
+@remembered(1024)
+def derivative(x: sp.Expr, symbol: sp.Basic) -> sp.Expr:
+    """The derivative of an expression."""
+    return sp.diff(x, symbol)
+
+
 @remembered(2048)
 def one_fraction(x: Any) -> sp.Expr:
     """A sum as one fraction, in which nothing is cancelled."""

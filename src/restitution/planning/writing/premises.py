@@ -6,10 +6,11 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Ref
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError
-from restitution.planning.writing.polynomials import factored
+from restitution.planning.writing.polynomials import derivative, factored
 from restitution.planning.writing.scene import Scene
 
 
@@ -42,7 +43,7 @@ def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref,
     refs: list[Ref] = []
     for other in sp.Mul.make_args(factored(factor)):
         base = other.base if other.is_Pow else other
-        for function in base.atoms(sp.sin, sp.cos):
+        for function in atoms_in(base, sp.sin, sp.cos):
             for angle in function.free_symbols:
                 refs.append(range_of(scene, angle.name))
         for letter in sorted(base.free_symbols, key=lambda s: s.name):
@@ -59,13 +60,13 @@ def sign_known(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
         base, power = factor.as_base_exp()
         if power.is_even:
             continue
-        for function in base.atoms(sp.sin, sp.cos):
+        for function in atoms_in(base, sp.sin, sp.cos):
             refs += [range_of(scene, angle.name) for angle in function.free_symbols]
         for letter in sorted(base.free_symbols, key=lambda s: s.name):
             role = scene.model.unknowns.roles.get(letter.name)
             if role is not None and role.kind == "restitution":
                 # It falls towards 0, from either side.
-                falls = scene.model.sign(sp.diff(base, letter)) * scene.model.sign(base) < 0
+                falls = scene.model.sign(derivative(base, letter)) * scene.model.sign(base) < 0
                 refs.append(f"{letter.name} <= 1" if falls else f"{letter.name} >= 0")
     return tuple(dict.fromkeys(refs))
 

@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import product, swept, tree_of
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 
 # Whole numbers from here on are longer than those of a quotient with roots below.
@@ -26,7 +27,7 @@ def in_shorter_form(scene: Scene, quotient: Expression, final: Expression) -> Ex
     """
     match quotient:
         case Binary("/", above, below) if _is_long(final):
-            first, second = (sp.factor_terms(sp.expand(scene.scalar(e))) for e in (above, below))
+            first, second = (sp.factor_terms(expanded(scene.scalar(e))) for e in (above, below))
         case _:
             return final
     (p, one), (q, other) = (
@@ -34,7 +35,7 @@ def in_shorter_form(scene: Scene, quotient: Expression, final: Expression) -> Ex
     )
     if one != other:
         return final
-    (p, first), (q, second) = (sp.expand(value).as_content_primitive() for value in (p, q))
+    (p, first), (q, second) = (expanded(value).as_content_primitive() for value in (p, q))
     share = sp.Rational(p / q)
     shorter = Binary(
         "/",

@@ -10,11 +10,11 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components.models import Model
-from restitution.exact.symbols import symbol_names, symbols_in
+from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt, trees_of
-from restitution.expression.evaluate import Evaluator
+from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -165,7 +165,7 @@ class Scene:
             names |= symbol_names(*(answer.value if pair else (answer.value,)))
         tied = set()
         for symbol, value in self.model.final.items():
-            own = value.atoms(sp.sin, sp.cos, sp.tan) if isinstance(value, sp.Expr) else ()
+            own = atoms_in(value, sp.sin, sp.cos, sp.tan) if isinstance(value, sp.Expr) else ()
             others = symbol_names(*own)
             if self._is_angle(symbol) and others and not names & others:
                 tied.add(symbol)
@@ -197,7 +197,7 @@ class Scene:
         own = self.frames[number]
         if not any(symbols_in(component) for component in own.n):
             return own
-        state = self._state()
+        state = self.state()
         kept, put = self._turned.get(number, (None, own))
         if kept is own:
             return put
@@ -206,7 +206,7 @@ class Scene:
             put = replace(own, n=n, t=t)  # the line is written with what is known
         else:
             put = replace(own, n=n, t=t, sources=together(own.sources, n_refs, t_refs))
-        if state == self._state():  # to put values in may write lines
+        if state == self.state():  # to put values in may write lines
             self._turned[number] = own, put
         return put
 
@@ -271,7 +271,7 @@ class Scene:
         value = evaluator.value(tree)
         if isinstance(value, Vector | tuple):
             raise NotPlannedError("a vector where a number is put in")
-        return sp.sympify(evaluator.scalar(tree), strict=True)
+        return sp.sympify(value.measure() if isinstance(value, Angle) else value, strict=True)
 
     def _named_letters(self) -> Mapping[str, sp.Symbol]:
         """The unknowns and the letters of components by name; what rests on fewer is dropped."""
@@ -310,11 +310,11 @@ class Scene:
         own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
         if not symbols_in(own):
             return frozenset()
-        state = self._state()
+        state = self.state()
         if own in self._unknown:
             return self._unknown[own]
         open_ = self._unknown_in(self.with_values(own)[0])
-        if state == self._state():  # to put values in may write lines
+        if state == self.state():  # to put values in may write lines
             self._unknown[own] = open_
         return open_
 
@@ -330,7 +330,7 @@ class Scene:
             symbol in self.model.final and symbol not in self.free and not self._by_ratios(symbol)
         )
 
-    def _state(self) -> tuple[object, ...]:
+    def state(self) -> tuple[object, ...]:
         """On what it depends what is unknown; what was kept in another state is dropped."""
         state = (
             self.desk.version,
@@ -367,10 +367,10 @@ class Scene:
         own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
         if not symbols_in(own):
             return own, ()
-        state = self._state()
+        state = self.state()
         if own not in self._put:
             put = self._with_values(own)
-            if state != self._state():
+            if state != self.state():
                 return put  # to put them in wrote lines
             self._put[own] = put
         return self._put[own]
@@ -398,7 +398,7 @@ class Scene:
                 own = own.xreplace(changes)
                 continue
             for ratio in ratios:
-                if ratio.free_symbols & self.kept:
+                if symbols_in(ratio) & self.kept:
                     continue
                 source = self._ratio(ratio) or self._angle(ratio)
                 if source is not None:
@@ -447,23 +447,23 @@ class Scene:
 
     def _is_number_now(self, known: Source | None) -> bool:
         """Whether the letters in a ratio of an angle all have numbers in this part."""
-        if known is None or not known.value.free_symbols:
+        if known is None or not symbols_in(known.value):
             return False
-        letters_ = [self.desk.known(plain_letter(own.name)) for own in known.value.free_symbols]
+        letters_ = [self.desk.known(plain_letter(own.name)) for own in symbols_in(known.value)]
         return all(own is not None and own.value.is_number for own in letters_)
 
     def _by_an_inverse(self, symbol: sp.Basic) -> bool:
         """Whether an angle is known as the inverse of a ratio only, in letters that are known."""
         known = self.desk.known(plain_letter(symbol.name))
         value = None if known is None else sp.sympify(known.value, strict=True)
-        is_inverse = value is not None and value.atoms(sp.atan, sp.asin, sp.acos)
+        is_inverse = value is not None and atoms_in(value, sp.atan, sp.asin, sp.acos)
         return bool(is_inverse) and not self.unknown(value)
 
     def _angle(self, ratio: sp.Expr) -> Source | None:
         """A ratio of angles that are known, as numbers or by others."""
         changes = {}
         refs: list[Ref] = []
-        for symbol in ratio.free_symbols:
+        for symbol in symbols_in(ratio):
             is_open = self._is_basic(symbol) or symbol in self._tied
             source = None if is_open else self.desk.known(plain_letter(symbol.name))
             if source is not None:

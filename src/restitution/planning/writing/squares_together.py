@@ -13,6 +13,7 @@ from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Binary, Expression, has_quantity, walk
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import product, swept, tree_of
+from restitution.planning.writing.polynomials import cancelled, expanded
 
 _PYTHAGORAS = Move("identity", "pythagoras")
 _MOST = 60  # nodes of a sum of which a reader sees the factors
@@ -63,10 +64,10 @@ def _factored(derivation: Derivation, line: Line) -> Expression | None:
     (angle,) = angles
     s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
     put = {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c, sp.cot(angle): c / s}
-    quotient = sp.cancel(whole.xreplace(put) / rest.xreplace(put))
-    if sp.expand(quotient - s**2 - c**2) != 0:
+    quotient = cancelled(whole.xreplace(put) / rest.xreplace(put))
+    if expanded(quotient - s**2 - c**2) != 0:
         return None
-    outside = sp.cancel(rest.xreplace(put)).xreplace({s: sp.sin(angle), c: sp.cos(angle)})
+    outside = cancelled(rest.xreplace(put)).xreplace({s: sp.sin(angle), c: sp.cos(angle)})
     above_, below = sp.fraction(outside)
     if not outside.has(sp.sin, sp.cos):
         return None

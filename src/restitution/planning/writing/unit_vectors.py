@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterable
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import atoms_in
 from restitution.expression.tree import Binary, Expression
 from restitution.planning.writing.forms import tree_of, vector
+from restitution.planning.writing.polynomials import cancelled, expanded
 from restitution.vector import Vector
 
 
@@ -25,7 +27,7 @@ def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
 
 def plain_direction(direction: Vector) -> Vector:
     """The shortest vector in a direction: of whole numbers, or with one root, if there is one."""
-    x, y = (tidy(sp.expand(component)) for component in direction)
+    x, y = (tidy(expanded(component)) for component in direction)
     if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
         ratio = sp.Rational(x / y)
         sign = -1 if y.is_negative else 1
@@ -60,14 +62,14 @@ def short_direction(vector: Vector, sign: Callable[[sp.Expr], int]) -> Vector | 
     if ratio.is_Rational:
         return short
     # The same without its common number: (6 − √14)i + (6 + √14)j, and not 11i + (25 + 6√14)j.
-    parts = [tidy(sp.expand(part)) for part in vector]
+    parts = [tidy(expanded(part)) for part in vector]
     common = _content(parts)
     return min(short, Vector(*(tidy(part / common) for part in parts)), key=_length_of_numbers)
 
 
 def _length_of_numbers(direction: Vector) -> sp.Expr:
     """How large the numbers are in the terms of a vector."""
-    terms = [t for part in direction for t in sp.Add.make_args(sp.expand(part))]
+    terms = [t for part in direction for t in sp.Add.make_args(expanded(part))]
     return sp.Add(*(max(sp.fraction(abs(t.as_coeff_Mul()[0]))) for t in terms))
 
 
@@ -101,7 +103,7 @@ def _by_one_root(x: sp.Expr, y: sp.Expr) -> Vector | None:
             )
             for part in (x, y)
         )
-    ratio = sp.cancel(x / y)
+    ratio = cancelled(x / y)
     for base, root in nested.items():
         ratio = ratio.subs(root, sp.sqrt(base))
     side = y.subs(dict.fromkeys(nested.values(), 1))
@@ -111,12 +113,12 @@ def _by_one_root(x: sp.Expr, y: sp.Expr) -> Vector | None:
     forms = []
     for turned in (False, True):
         surd = sp.radsimp(1 / ratio if turned else ratio)
-        terms = sp.Add.make_args(sp.expand(surd))
+        terms = sp.Add.make_args(expanded(surd))
         roots = {term.as_coeff_Mul()[1] for term in terms} - {sp.S.One}
         if len(terms) != 2 or len(roots) != 1 or not all(_is_plain_root(e) for e in roots):
             return None
         below = sp.ilcm(*(term.as_coeff_Mul()[0].q for term in terms))
-        above = sp.expand(surd * below)
+        above = expanded(surd * below)
         size = below + sum(abs(term.as_coeff_Mul()[0]) for term in sp.Add.make_args(above))
         forms.append((size, turned, above, below))
     _, turned, above, below = min(forms, key=lambda form: form[0])
@@ -139,7 +141,7 @@ def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:
 
 def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
     """The rational number that all terms of some numbers are multiples of."""
-    terms = [t for part in parts for t in sp.Add.make_args(sp.expand(part)) if t != 0]
+    terms = [t for part in parts for t in sp.Add.make_args(expanded(part)) if t != 0]
     factors = [abs(term.as_coeff_Mul()[0]) for term in terms]
     return sp.gcd_list(factors) if factors else sp.Integer(1)
 
@@ -154,11 +156,15 @@ def unit_tree(direction: Vector) -> Expression:
 def over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
     """A vector and the root of letters that both its parts have below; None without such a one."""
     roots = [
-        {power for power in part.atoms(sp.Pow) if power.exp == -sp.S.Half and power.free_symbols}
+        {
+            power
+            for power in atoms_in(part, sp.Pow)
+            if power.exp == -sp.S.Half and power.free_symbols
+        }
         for part in direction
     ]
     if len(roots[0]) != 1 or roots[0] != roots[1]:
         return None
     (root,) = roots[0]
     whole = Vector(*(part / root for part in direction))
-    return None if any(part.atoms(sp.Pow) & roots[0] for part in whole) else (whole, 1 / root)
+    return None if any(atoms_in(part, sp.Pow) & roots[0] for part in whole) else (whole, 1 / root)

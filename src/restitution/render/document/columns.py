@@ -103,30 +103,27 @@ def aligned(chains: Sequence[Chain], width: int, margin: int) -> list[TextLine]:
     """Lines of at most ``width`` columns; ``margin`` more stand in front, for labels."""
     width -= margin
     lefts = [_operand(chain.operands[0]) for chain in chains]
+    # The columns left of a right side, for it to stand beside.
+    rooms = [width - _margin(chain) - INDENT - _widest(chain) for chain in chains]
     fitting = [
         columns(left)
-        for chain, left in zip(chains, lefts, strict=True)
-        if chain.signs and not _is_wide(chain, columns(left), width)
+        for chain, left, most in zip(chains, lefts, rooms, strict=True)
+        if chain.signs and columns(left) <= most
     ]
     # One left side that is far longer than others does not push them aside.
     near = min(fitting, default=INDENT) + _APART
     room = max((number for number in fitting if number <= near), default=INDENT)
     lines: list[TextLine] = []
     own = room
-    for chain, left in zip(chains, lefts, strict=True):
+    for chain, left, most in zip(chains, lefts, rooms, strict=True):
         if chain.operands[0] is not None:
             # What does not fit beside the others goes on below its left side.
             own = max(room, columns(left))
-            if _is_wide(chain, own, width):
+            if own > most:
                 own = _BELOW
         own_lines = _row(chain, left, own if chain.signs else columns(left), width)
         lines += _labelled(own_lines, chain.label, margin)
     return lines
-
-
-def _is_wide(chain: Chain, room: int, width: int) -> bool:
-    """Whether a right side does not fit beside left sides of a width."""
-    return INDENT + room + _widest(chain) > width - _margin(chain)
 
 
 def _margin(chain: Chain) -> int:

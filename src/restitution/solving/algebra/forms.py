@@ -10,6 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact.degrees import function_of, with_ratio
+from restitution.exact.symbols import atoms_in, symbols_in
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, root
 from restitution.oracle import Oracle, Relation, Some
@@ -50,7 +51,7 @@ def sign_of(x: sp.Expr, samples: Samples) -> int | None:
     seen = None if oracle is None else sign_at(x, itertools.islice(samples, _FEW))
     if seen is None:
         seen = sign_at(x, samples)
-    if seen is None or oracle is None or not sp.sympify(x, strict=True).free_symbols:
+    if seen is None or oracle is None or not symbols_in(sp.sympify(x, strict=True)):
         return seen
     claim = Relation(x, "=") if seen == 0 else Relation(seen * x, ">=")
     return seen if oracle.decide(claim) else None
@@ -65,7 +66,7 @@ def open_in(value: Angle | Vector | sp.Expr, samples: Samples) -> list[str]:
     sides = [value.x, value.y] if isinstance(value, Angle | Vector) else [value]
     sides = [sp.sympify(side, strict=True) for side in sides]
     present = sorted(
-        (s for s in set().union(*(x.free_symbols for x in sides)) if s.name.startswith("_")),
+        (s for s in set().union(*(symbols_in(x) for x in sides)) if s.name.startswith("_")),
         key=lambda s: s.name,
     )
     angles = []
@@ -110,7 +111,7 @@ def plain(value: Any, samples: Samples) -> Any:
 
 def is_for_a_calculator(value: sp.Expr) -> bool:
     """Whether a value is a long number with ratios of angles such as 35°, that nobody reads."""
-    if value.free_symbols or not value.has(sp.sin, sp.cos, sp.tan):
+    if symbols_in(value) or not value.has(sp.sin, sp.cos, sp.tan):
         return False
     return int(sp.count_ops(value)) > FOR_A_CALCULATOR
 
@@ -145,7 +146,7 @@ def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
     """Sines, cosines and tangents of plain numbers as those of an acute letter."""
     letters: dict[sp.Expr, sp.Symbol] = {}
     put: dict[sp.Expr, sp.Expr] = {}
-    for node in sorted(x.atoms(sp.sin, sp.cos, sp.tan), key=sp.default_sort_key):
+    for node in sorted(atoms_in(x, sp.sin, sp.cos, sp.tan), key=sp.default_sort_key):
         argument = node.args[0]
         if argument.free_symbols:
             continue
@@ -166,8 +167,8 @@ def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
 
 def unnested(x: sp.Expr) -> sp.Expr:
     """A numerical factor with roots inside roots, as a sum of plain roots where possible."""
-    number, rest = x.as_independent(*x.free_symbols) if x.free_symbols else (x, sp.Integer(1))
-    if x.free_symbols and not x.is_Mul:
+    number, rest = x.as_independent(*symbols_in(x)) if symbols_in(x) else (x, sp.Integer(1))
+    if symbols_in(x) and not x.is_Mul:
         return x
     if not exact.is_nested(number) or not number.is_real:
         return x
@@ -182,7 +183,7 @@ def unnested(x: sp.Expr) -> sp.Expr:
 def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
     """Sizes |x| and roots of squares without bars where the sign of x is known."""
     for _ in range(4):
-        bars = list(x.atoms(sp.Abs))
+        bars = list(atoms_in(x, sp.Abs))
         if not bars:
             break
         put = {}
@@ -328,7 +329,7 @@ def acute_angle(angle: sp.Expr, sign: Callable[[sp.Expr], int | None]) -> sp.Exp
 def _has_root(x: sp.Expr) -> bool:
     return any(
         isinstance(atom, sp.Pow) and not atom.exp.is_Integer and atom.free_symbols
-        for atom in x.atoms(sp.Pow)
+        for atom in atoms_in(x, sp.Pow)
     )
 
 
@@ -346,7 +347,9 @@ def _turned(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
 
 
 def _angles_in(x: sp.Expr) -> list[sp.Symbol]:
-    angles = {atom.args[0] for atom in x.atoms(sp.sin, sp.cos, sp.tan) if atom.args[0].is_Symbol}
+    angles = {
+        atom.args[0] for atom in atoms_in(x, sp.sin, sp.cos, sp.tan) if atom.args[0].is_Symbol
+    }
     return sorted(angles, key=lambda letter: letter.name)
 
 

@@ -8,7 +8,7 @@ from itertools import permutations
 import sympy as sp
 
 from restitution.errors import StatementError, UnsupportedError
-from restitution.exact.symbols import operations_in, symbol_names
+from restitution.exact.symbols import operations_in, symbol_names, symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.quantities import ANGLES
@@ -103,7 +103,7 @@ def letter_branches(
                 continue
             value = evaluator.scalar(other).xreplace(substitutions)
             symbol = setting.roles[lone.name].symbol(lone.name)
-            if symbol in value.free_symbols:
+            if symbol in symbols_in(value):
                 continue
             substitutions = {k: v.xreplace({symbol: value}) for k, v in substitutions.items()}
             substitutions[symbol] = value
@@ -120,8 +120,8 @@ def letter_branches(
             for values, angles in branches:
                 put = {setting.roles[n].symbol(n): v for n, v in values.items()}
                 current = sp.sympify(equation.xreplace(put), strict=True)
-                current = current.doit() if current.free_symbols else current
-                free = current.free_symbols
+                current = current.doit() if symbols_in(current) else current
+                free = symbols_in(current)
                 if len(free) != 1:
                     new.append((values, angles))
                     continue
@@ -275,9 +275,7 @@ def _is_contradictory(equations: Sequence[sp.Expr], known: Mapping[str, Role]) -
 
 def _is_undefined(equations: Sequence[sp.Expr], root: Root) -> bool:
     """Whether equations have no value at a root, as it makes a vector of no length a direction."""
-    at = {
-        s: root.values[s.name] for e in equations for s in e.free_symbols if s.name in root.values
-    }
+    at = {s: root.values[s.name] for e in equations for s in symbols_in(e) if s.name in root.values}
     if list(at.values()).count(sp.Integer(0)) < _PARTS:
         return False
     return any(equation.subs(at, simultaneous=True).has(sp.nan, sp.zoo) for equation in equations)
@@ -293,7 +291,7 @@ def _ranked(
     chosen: frozenset[str],
 ) -> list[sp.Symbol]:
     """The unknowns in these equations, in the order in which to eliminate them."""
-    present = {s for equation in equations for s in equation.free_symbols}
+    present = {s for equation in equations for s in symbols_in(equation)}
 
     def rank(symbol: sp.Symbol) -> tuple[int, str]:
         name = symbol.name

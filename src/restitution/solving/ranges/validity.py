@@ -16,7 +16,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.exact.symbols import operations_in, symbol_names
+from restitution.exact.symbols import atoms_in, operations_in, symbol_names, symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.tree import Expression, is_quantity
 from restitution.oracle import (
@@ -125,7 +125,7 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
     if not sought or len(outcome.equations) > len(sought):
         return
     for equation in outcome.equations:
-        unknowns = {x for x in equation.free_symbols if x.name in sought}
+        unknowns = {x for x in symbols_in(equation) if x.name in sought}
         if not unknowns or operations_in(equation) > LONGEST_EQUATION:
             continue
         try:
@@ -133,7 +133,7 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
         except (sp.PolynomialError, UnsupportedError):
             continue
         for factor in equation_factors:
-            if not factor.free_symbols & unknowns:
+            if not symbols_in(factor) & unknowns:
                 yield Demand(Relation(factor, "!="), "", "fact")
 
 
@@ -232,7 +232,7 @@ def _of_senses(base: Oracle, trial: Trial) -> Iterator[Demand]:
 def _senses(base: Oracle, trial: Trial) -> Iterator[list[Formula] | None]:
     """The senses of letters in which each equation holds, none if in all; None if undecided."""
     for equation in () if trial.admission is None else trial.admission.equations:
-        inside = {s for bar in equation.atoms(sp.Abs) for s in bar.free_symbols}
+        inside = {s for bar in atoms_in(equation, sp.Abs) for s in bar.free_symbols}
         letters = sorted(
             (s for s in inside if base.roles.get(s.name) == REAL), key=lambda s: s.name
         )

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from restitution.exact.symbols import atoms_in, symbols_in
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
     Formula,
@@ -94,7 +95,7 @@ class Admission:
     def _constants(self) -> dict[int, int]:
         """The exact signs, by their places, of what is a number and looks like zero."""
         every = (*self._program[0], *self.equations)
-        numbers = [x if not x.free_symbols else sp.Integer(1) for x in every]
+        numbers = [x if not symbols_in(x) else sp.Integer(1) for x in every]
         seen = Program.of(numbers).near_signs({})
         exactly = ((n, sign_of(x)) for n, x in enumerate(numbers) if seen[n] == 0)
         return {n: own for n, own in exactly if own is not None}
@@ -219,7 +220,7 @@ def _radicands(value: sp.Expr) -> list[sp.Expr]:
     return sorted(
         {
             node.base
-            for node in value.atoms(sp.Pow)
+            for node in atoms_in(value, sp.Pow)
             if node.exp.is_Rational and node.exp.q % 2 == 0 and node.base.free_symbols
         },
         key=sp.default_sort_key,
@@ -230,7 +231,7 @@ def _divisors(value: sp.Expr) -> list[sp.Expr]:
     """The divisors of a value and of what stands under its roots, where they have letters."""
     radicands = (
         node.base
-        for node in value.atoms(sp.Pow)
+        for node in atoms_in(value, sp.Pow)
         if node.exp.is_positive and not node.exp.is_Integer
     )
     below = (sp.fraction(sp.together(radicand))[1] for radicand in (value, *radicands))

@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import ImpossibleError, StatementError
+from restitution.exact.symbols import symbols_in
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Expression,
@@ -197,14 +198,14 @@ def _clear_of_circle(state: State, sphere: Sphere, wall: Wall, radius: sp.Expr) 
 
 
 def _no_more_than_zero(value: sp.Expr) -> bool:
-    if value.free_symbols and value.count_ops() > _PLAIN:
+    if symbols_in(value) and value.count_ops() > _PLAIN:
         return False
-    return bool(value.is_nonpositive) or (not value.free_symbols and bool(neat(value) == 0))
+    return bool(value.is_nonpositive) or (not symbols_in(value) and bool(neat(value) == 0))
 
 
 def _is_zero(v: Vector) -> bool:
     return all(
-        component == 0 or (not component.free_symbols and neat(component) == 0) for component in v
+        component == 0 or (not symbols_in(component) and neat(component) == 0) for component in v
     )
 
 

@@ -16,6 +16,7 @@ from typing import Any, Literal, Protocol
 import sympy as sp
 
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
+from restitution.exact.symbols import symbols_in
 from restitution.expression.evaluate import Evaluator, Numeric, Scalar, Symbolic, Value
 from restitution.expression.tree import (
     AtTime,
@@ -363,7 +364,7 @@ class State(ABC):
             return self.field.abs(v.x)
         if self.field.is_zero(v.x):
             return self.field.abs(v.y)
-        if self.field.exact and v.x.free_symbols:
+        if self.field.exact and symbols_in(v.x):
             slope = ratio_in_numbers(v.y, v.x)
             if slope is not None:
                 return self.field.abs(v.x) * self.field.sqrt(neat(1 + slope**2))

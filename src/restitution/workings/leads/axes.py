@@ -79,8 +79,8 @@ def with_axes(steps: Sequence[Step], sentence: Sentence) -> Iterator[Step]:
 
 def has_axes(value: Any) -> bool:
     """Whether **i** or **j** stands in what is printed."""
-    if value in AXES:
-        return True
+    if isinstance(value, lay.Bold):
+        return value in AXES
     if isinstance(value, tuple | list):
         return any(map(has_axes, value))
     if is_dataclass(value) and not isinstance(value, type):

@@ -151,8 +151,16 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             return kinds <= {"velocity", "mass", "speed", "energy"}
         return not kinds.isdisjoint({"energy", "speed"})
 
+    #: The line of which a title was asked last, and that: it is asked for what stands below it too.
+    _last: tuple[Line, Sentence | None] | None = None
+
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
+        if self._last is None or self._last[0] is not line:
+            self._last = line, self._title(line)
+        return self._last[1]
+
+    def _title(self, line: Line) -> Sentence | None:
         record = RECORDS.get(line.move.record or "")
         if record is None or self._speaks_for_itself(line, record):
             return None

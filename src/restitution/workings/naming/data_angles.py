@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Unit,
+    functions_in,
     is_quantity,
     letters,
     unsigned,
@@ -39,7 +40,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.workings.naming.quantities import Naming
 
-_ARCS = ("arctan", "arcsin", "arccos")
+_ARCS = frozenset({"arctan", "arcsin", "arccos"})
 
 
 class DataAngles:
@@ -76,7 +77,8 @@ class DataAngles:
         own = [ref for ref in line.premises if ref in self._of_velocities]
         for ref in dict.fromkeys((*own, *self._at_events.get(line.move.event, ()))):
             fact = self._of_velocities[ref]
-            for node in (node for tree in trees_of(fact.relation) for node in walk(tree)):
+            trees = [e for e in trees_of(fact.relation) if not _ARCS.isdisjoint(functions_in(e))]
+            for node in (node for tree in trees for node in walk(tree)):
                 if not isinstance(node, Apply) or node.function not in _ARCS:
                     continue
                 if node not in self._seen and not letters(node.argument):

@@ -168,7 +168,8 @@ class Ends:
 
         Of what is found and shown in one line that of what is found.
         """
-        return min(self._at(line), key=lambda end: end.shown, default=None)
+        ends = self._ends.get(line.number)
+        return min(ends, key=lambda end: end.shown) if ends else None
 
     def again(self, label: str | None, lines: Sequence[Line]) -> dict[int, list[ItemEnd]]:
         """The ends of items that an earlier item has answered, by the number of lines above them.

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Rounded,
     Unit,
     children,
+    functions_in,
     has_quantity,
     has_root,
     has_unit_vector,
@@ -105,7 +106,7 @@ def is_with_calculator(derivation: Derivation) -> bool:
     or a tangent is a sum of roots, and velocities are numbers.
     """
     relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
-    trees = [tree for relation in relations for tree in relation.trees]
+    trees = [tree for relation in relations for tree in relation.trees if functions_in(tree)]
     if is_by_calculator(trees) or any(map(_is_bound_by_a_sum, relations)):
         return True
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
@@ -122,6 +123,8 @@ def _is_of_long_roots(relation: Relation) -> bool:
     """Whether a relation comes to a root of a sum of roots, or to a tangent that is such a sum."""
     for option in relation.options:
         for link in option:
+            if not has_root(link.right):
+                continue
             tangent = is_function(link.left, "tan")
             nodes = walk(link.right)
             if any(is_nested_root(node) and not is_to_be_worked_out(node) for node in nodes):
@@ -164,6 +167,8 @@ def plain_angles(tree: Expression) -> set[Fraction]:
 
 
 def _ratios_of_numbers(tree: Expression) -> list[Apply]:
+    if RATIOS.isdisjoint(functions_in(tree)):
+        return []
     return [
         node
         for node in walk(tree)
@@ -189,6 +194,8 @@ class Figures:
         self._decimals = decimals
         self._long_numbers = long_numbers
         self._known: dict[Expression, Expression] = {}
+        # Whether there are sums of roots in values.
+        self._sums: dict[Expression, bool] = {}
         # The same by the size of a value: of ratios of plain angles there are many forms.
         self._by_size: dict[str, Expression] = {}
         # Those of which nothing but the figures is on paper.
@@ -211,22 +218,26 @@ class Figures:
         """
         if self._long_numbers and is_long_number(tree):
             return True
-        return is_of_nested_roots(tree, self.with_calculator)
+        return has_root(tree) and is_of_nested_roots(tree, self.with_calculator)
 
     def has_sums_of_roots(self, tree: Expression) -> bool:
         """Whether a value in it is a sum of roots that is carried in figures."""
-        return any(map(self.is_of_roots, walk(tree)))
+        if not (has_root(tree) or self._long_numbers):
+            return False
+        if tree not in self._sums:
+            self._sums[tree] = any(map(self.is_of_roots, walk(tree)))
+        return self._sums[tree]
 
     def in_letters(self, tree: Expression) -> Expression | None:
         """A multiple of letters by a number that only a calculator knows, as 0.1351u.
 
         None of another value, and of one that is short: ½u cos 20°.
         """
-        if self.with_calculator:
-            least = 1 if any(map(self._is_long, walk(tree))) else _LONG_SUM
-        else:
-            least = _LONG_SUM if any(map(self._is_long, walk(tree))) else _LONG_PRODUCT
-        several = len(_ratios_of_numbers(tree)) >= least
+        ratios, several = len(_ratios_of_numbers(tree)), False
+        if ratios:
+            is_long = any(map(self._is_long, walk(tree)))
+            few, many = (1, _LONG_SUM) if self.with_calculator else (_LONG_SUM, _LONG_PRODUCT)
+            several = ratios >= (few if is_long else many)
         several = several or (self.with_calculator and self.has_sums_of_roots(tree))
         parts = number_and_letters(tree) if several else None
         return None if parts is None else multiple_of(*parts)
@@ -342,6 +353,8 @@ class Figures:
         An ``outcome`` with roots of sums of roots is one number. So is with a calculator one with
         sums, and any number ``behind`` another side.
         """
+        if self._is_plain(tree):
+            return tree
         own = unsigned(tree)
         if own in self._known and not (self.with_calculator and own in self._alone):
             return self._multiple_of_roots(tree) or tree
@@ -370,6 +383,11 @@ class Figures:
             if not nested and not self.with_calculator:
                 return tree
         return tree
+
+    def _is_plain(self, tree: Expression) -> bool:
+        """Whether nothing in a tree has figures: it has no functions, and what has figures has."""
+        plain = not (functions_in(tree) or self._long_numbers)
+        return plain and all(map(functions_in, self._known))
 
     def rounded_alike(self, tree: Expression) -> Expression | None:
         """A long number with as many figures as it takes to round it; None of a short one."""
@@ -409,6 +427,8 @@ class Figures:
         self, tree: Expression, figures: int, outcome: bool, behind: bool
     ) -> dict[Expression, Expression]:
         """The sums of roots in a tree that are carried, each with its figures."""
+        if not (self.with_calculator or self._long_numbers or has_root(tree)):
+            return {}
         is_carried = self.is_of_roots
         if outcome and self.with_calculator and not is_measure_of_angle(tree):
             awkward = self._is_awkward(tree)
@@ -447,6 +467,8 @@ class Figures:
 
     def _by_value(self, tree: Expression) -> Expression:
         """A tree with figures for the values in it that are on paper in another form."""
+        if not self._by_size or (RATIOS.isdisjoint(functions_in(tree)) and not has_root(tree)):
+            return tree
         parts = {node: self._of_size(node) for node in walk(tree) if self._is_of_several(node)}
         return exchanged(tree, {node: put for node, put in parts.items() if put is not None})
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import atoms_in, symbol_names
 from restitution.explaining.lines.derivation import (
     OPPOSITE,
     Derivation,
@@ -234,7 +234,7 @@ def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.E
     atoms = {
         node: sp.Dummy(positive=True)
         for gap in gaps
-        for node in gap.atoms(sp.Pow, sp.sin, sp.cos, sp.tan)
+        for node in atoms_in(gap, sp.Pow, sp.sin, sp.cos, sp.tan)
         if not node.free_symbols & set(unknowns) and not (node.is_Pow and node.exp.is_Integer)
     }
     back = {letter: node for node, letter in atoms.items()}

@@ -83,7 +83,7 @@ def is_nested_root(tree: Expression) -> bool:
 
 def has_long_root(tree: Expression, longest: int = _LONG_ROOT) -> bool:
     """Whether a number of four figures or more stands under a root, which nobody reads."""
-    return any(
+    return has_root(tree) and any(
         is_function(node, "sqrt")
         and any(isinstance(e, Number) and e.value >= longest for e in walk(node.argument))
         for node in walk(tree)
@@ -109,7 +109,7 @@ def has_unwieldy_root(tree: Expression) -> bool:
     """Whether a value has a root beside numbers of three figures, or a sum of roots over a number
     of two, or the root of one of four.
     """
-    return has_long_root(tree) or any(map(_is_unwieldy, walk(tree)))
+    return has_root(tree) and (has_long_root(tree) or any(map(_is_unwieldy, walk(tree))))
 
 
 def _is_unwieldy(tree: Expression) -> bool:

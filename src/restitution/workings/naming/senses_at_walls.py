@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.explaining.lines.saying import operand, say
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
@@ -86,7 +87,7 @@ def _opposite(link: Link) -> Expression | None:
     value = worth(link.right)
     if value.is_number:
         return tree_of(-value) if value.is_negative else None
-    factor, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    factor, rest = value.as_independent(*symbols_in(value), as_Add=False)
     return tree_of(-value) if factor.is_negative and not rest.has(sp.Add) else None
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import lru_cache
 from itertools import pairwise
 from typing import Literal
 
@@ -18,6 +17,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
+    LEAVES,
     Apply,
     Binary,
     Expression,
@@ -92,19 +92,23 @@ def is_displacement(tree: Expression) -> bool:
     return False
 
 
-@lru_cache(maxsize=4096)
 def is_vector(tree: Expression) -> bool:
     """Whether a side of an equation is written as a vector."""
-    match tree:
-        case Unit():
-            return True
-        case Quantity("momentum"):
-            return True
-        case Quantity("velocity" | "impulse" | "position", arguments):
-            return bool(arguments)
-        case Quantity() | Apply():
-            return False
-    return any(map(is_vector, children(tree)))
+    pending = [tree]
+    while pending:
+        node = pending.pop()
+        match node:
+            case Binary(_, left, right):
+                pending += (left, right)
+            case Unit() | Quantity("momentum"):
+                return True
+            case Quantity("velocity" | "impulse" | "position", arguments) if arguments:
+                return True
+            case Quantity() | Apply():
+                pass
+            case _ if type(node) not in LEAVES:
+                pending += children(node)
+    return False
 
 
 def is_multiple(relation: Relation | Meaning) -> bool:

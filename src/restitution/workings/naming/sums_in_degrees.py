@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     RoundedDegrees,
+    functions_in,
     has_root,
     is_binary,
     letters,
@@ -39,6 +40,8 @@ def is_sum_with_inverse(tree: Expression) -> bool:
 
 def is_sum_of_inverses_of_roots(tree: Expression) -> bool:
     """Whether a sum of angles has several inverses, with roots among them, that nobody reads."""
+    if _INVERSES.isdisjoint(functions_in(tree)):
+        return False
     inverses = [node for node in walk(tree) if is_inverse(node)]
     return is_sum_with_inverse(tree) and len(inverses) > 1 and any(map(has_root, inverses))
 

@@ -35,6 +35,7 @@ from restitution.expression.tree import (
     Unit,
     has_operator,
     has_quantity,
+    has_root,
     is_binary,
     is_function,
     is_quantity,
@@ -86,13 +87,20 @@ def _side(derivation: Derivation, line: Line) -> Iterator[Relation]:
 
 def _squares_of_sums(derivation: Derivation, line: Line) -> Iterator[Relation]:
     """``(√33 − 3)² = 42 − 6√33``, where a number under a root is seen to be a square."""
-    cited = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
-    above = {node for relation in cited for tree in trees_of(relation) for node in walk(tree)}
     seen: list[Expression] = []
-    for node in (node for tree in trees_of(line.relation) for node in walk(tree)):
-        match node:
-            case Binary("^", base, power) if power == _TWO and node not in above:
-                seen += [node for node in walk(base) if _is_sum_with_a_root(node)]
+    squares = [
+        node
+        for tree in trees_of(line.relation)
+        if has_root(tree)
+        for node in walk(tree)
+        if is_binary(node, "^") and node.right == _TWO
+    ]
+    if squares:
+        cited = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
+        above = {node for relation in cited for tree in trees_of(relation) for node in walk(tree)}
+        for square in squares:
+            if square not in above:
+                seen += [node for node in walk(square.left) if _is_sum_with_a_root(node)]
     for tree in dict.fromkeys(seen):
         worth = tree_of(sp.expand(in_letters(tree) ** 2))
         yield equality(Binary("^", tree, _TWO), worth)

@@ -150,8 +150,12 @@ class Known:
         A line that ends at 90° itself keeps the range as it is. A cotangent has no value at either
         end of a range from 0° to 180°.
         """
-        cited = (own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None)
-        nodes = {node for own in cited for tree in trees_of(own) for node in walk(tree)}
+
+        def stands(ratio: Apply) -> bool:
+            cited = (self._shapes.relation_of(ref) for ref in line.premises)
+            trees = (tree for own in cited if own is not None for tree in trees_of(own))
+            return any(node == ratio for tree in trees for node in walk(tree))
+
         match reason:
             case Relation(((low, Link(angle, "<=", Degrees(Fraction(numerator=90)) as end)),)):
                 tangent = Apply("tan", angle)
@@ -159,11 +163,11 @@ class Known:
                 low_,
                 same,
                 end,
-            ) == (Degrees(Fraction(0)), angle, STRAIGHT_ANGLE) and Apply("cot", angle) in nodes:
+            ) == (Degrees(Fraction(0)), angle, STRAIGHT_ANGLE) and stands(Apply("cot", angle)):
                 return Relation(((Link(low_, "<", angle), Link(angle, "<", end)),))
             case _:
                 return reason
-        if tangent not in nodes or end in set(self._ends_of(line)):
+        if not stands(tangent) or end in set(self._ends_of(line)):
             return reason
         return Relation(((low, Link(angle, "<", end)),))
 

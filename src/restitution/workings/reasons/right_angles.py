@@ -79,10 +79,13 @@ class RightAngles:
         self._roles = roles
         self.poles: dict[int, _Pole | None] = {} if poles is None else poles
         self._closings: dict[int, Sentence | None] = {}
+        self._any: bool | None = None
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
-        above = self._right_angle(line) or self._upright_too(line) or self._closes(line)
+        above = None
+        if self._has_poles():
+            above = self._right_angle(line) or self._upright_too(line) or self._closes(line)
         own = self._of_an_answer(line)
         return tuple(sentence for sentence in (above, own) if sentence is not None)
 
@@ -329,6 +332,13 @@ class RightAngles:
                         angle = sp.Symbol(name)
                         value = value.subs({sp.tan(angle): known, sp.cot(angle): 1 / known})
         return sp.sympify(value, strict=True)
+
+    def _has_poles(self) -> bool:
+        """Whether there is a line with the tangent of an angle that may be a right one."""
+        if self._any is None:
+            relations = (e for e in self._derivation.lines if isinstance(e.relation, Relation))
+            self._any = any(self._pole(line) is not None for line in relations)
+        return self._any
 
     def _pole(self, line: Line) -> _Pole | None:
         """Where the angle whose tangent a line gives has none, if the letters may be so."""
