@@ -229,3 +229,48 @@ def test_energies_along_the_line_are_parts_of_energies() -> None:
     line = "along the line: {}mu² at first and 16.5mu² at last"
     assert verdicts(statement + "energy_lost", line.format("40.5")) == ["true"]
     assert verdicts(statement + "energy_lost", line.format("41.5")) == ["false"]
+
+
+# 2(4i - 2j) + 4j = 2(2i + 2j) + 4(i - j): the impulse on A is -4i + 8j.
+UNKNOWN_LINE = """sphere A: mass 2, velocity 4i - 2j
+sphere B: mass 4, velocity j
+A hits B
+given velocity(A) = 2i + 2j
+find velocity(B), line_of_centres
+"""
+
+
+def test_sentences_say_which_way_the_line_of_centres_goes() -> None:
+    for sentence in (
+        "so line of centres is parallel to {}",
+        "line of centres in direction {}",
+        "change -2i + 4j so line of centres // {}",
+        "LOC has direction {}",
+    ):
+        right, wrong = (marked(UNKNOWN_LINE, sentence.format(n)) for n in ("-i + 2j", "2i + j"))
+        assert right["lines"][0]["verdict"] == "true", sentence
+        assert wrong["lines"][0]["verdict"] == "false", sentence
+        assert (right["marks"]["earned"], wrong["marks"]["earned"] < 2) == (2, True), sentence
+
+
+def test_momenta_with_numbers_put_in_are_momentum() -> None:
+    letters = {"p": "along(velocity(B), i)", "q": "along(velocity(B), j)"}
+    found = marked(UNKNOWN_LINE, "i: 8 = 4 + 4p", "j: -4 + 4 = 4 + 4q", "4q = -4", **letters)
+    principles = [line["principle"] for line in found["lines"]]
+    assert principles[:2] == ["momentum", "momentum"]
+    assert principles[2] != "momentum"
+
+
+def test_an_equation_of_a_given_impulse_has_its_own_mistakes() -> None:
+    statement = """sphere A: mass 3, velocity 4i + 2j
+sphere B: mass 1, velocity -2i + j
+A hits B: along i
+given impulse = 7.5
+find velocity(A), velocity(B)
+"""
+    for line, name in (
+        ("7.5 = 3(v - 4)", "impulse-sign"),
+        ("7.5 = 4 - v", "mass-omitted"),
+        ("7.5 = 3(4 - v)", None),
+    ):
+        assert names(marked(statement, line, v="along(velocity(A), i)")) == [name], line

@@ -8,7 +8,16 @@ from fractions import Fraction
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Binary, Expression, Number, is_binary, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    is_binary,
+    is_quantity,
+    walk,
+)
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.entries import (
     Entry,
@@ -20,6 +29,7 @@ from restitution.practice.judging.explained import JudgedSoFar
 from restitution.practice.judging.slips import Correction, corrections
 from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.world import World
+from restitution.problem import Impact
 
 _LOST = ("power", "square", "factor")
 _CLOSE, _TINY = 0.03, 1e-6
@@ -85,10 +95,23 @@ def kind_of_slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction])
     if changes & {"power", "turned"}:
         return "algebra"
     if changes and changes <= {"figure", "factor"}:
+        if _is_of_geometry(entry, judge.base):
+            return None
         if not entry.is_value:
             return "algebra"
         return None if _is_formula_in_numbers(claim.right) else "arithmetic"
     return None
+
+
+def _is_of_geometry(entry: Entry, world: World) -> bool:
+    """Whether a claim gives the angle of a line of centres by an offset: ``sin θ = r/2r``."""
+    left = entry.claim.left
+    if not (isinstance(left, Apply) and isinstance(left.argument, Letter)):
+        return False
+    meant = entry.meanings.get(left.argument.name, left.argument)
+    of_line = any(is_quantity(node, "line_of_centres") for node in walk(meant))
+    offset = any(isinstance(step, Impact) and step.offset is not None for step in world.events)
+    return offset and of_line
 
 
 def _is_formula_in_numbers(tree: Expression) -> bool:

@@ -46,6 +46,7 @@ from restitution.practice.judging.plain_deflections import (
     is_deflection_as_angle,
     is_given_deflection,
 )
+from restitution.practice.judging.plain_impulses import of_given_impulse
 from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
@@ -181,6 +182,8 @@ class Names:
         if is_coefficient(entry) and families == {"speed-for-component"}:
             variants, plain = (), "restitution-whole-speed"  # the law of no other components
         plain = None if variants else plain
+        if (blown := of_given_impulse(entry, judge.base)) is not None:
+            variants, plain = (), blown
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:
@@ -212,7 +215,7 @@ class Names:
         alone = {*map(_family_of, variants)} <= _OF_ACROSS and is_along_alone(entry)
         direct = all(is_direct(variant.event.number, judge.base) for variant in variants)
         blow = plain == "mass-omitted" and not is_of_energy(entry)
-        impulse = blow or is_impulse(entry.claim.left, entry)
+        impulse = blow or blown is not None or is_impulse(entry.claim.left, entry)
         known = near if idle else ()
         shadowed = {variant.id for variant in variants}
         shadowed -= {variant.id for variant in plainer_signs(variants, entry, judge.base)}

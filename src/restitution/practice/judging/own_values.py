@@ -41,6 +41,7 @@ from restitution.practice.judging.other_forms import (
     label_in,
 )
 from restitution.practice.judging.own_numbers import OwnNumbers
+from restitution.practice.judging.written_laws import with_written_law
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import same_size
 from restitution.practice.reading.phrase_names import is_phrase
@@ -415,7 +416,7 @@ class OwnValues(Holding):
             except RestitutionError:
                 continue
             if uses:
-                return uses
+                return uses if entry.wrong else with_written_law(uses, entry, world)
         return ()
 
 

@@ -21,12 +21,14 @@ from restitution.expression.tree import (
     Quantity,
     is_function,
     is_quantity,
+    letters,
     unsigned,
     walk,
 )
 from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
+from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.world import World
 from restitution.problem import trees
 
@@ -179,6 +181,31 @@ def is_impulse_reversed(entry: Entry, world: World) -> bool:
     value: Expression = Binary("-", twice, after)
     value = Negate(value) if inside is not meant else value
     return has_value(value, entry.claim.right, entry, world)
+
+
+def of_given_impulse(entry: Entry, world: World) -> str | None:
+    """The mistake of an equation of a given impulse with the change of one body's velocity.
+
+    Its sense is turned in ``7.5 = 3(v - 4)``, and a mass left out in ``7.5 = 4 - v``.
+    """
+    given = {node for tree in trees(world.problem) for node in walk(tree)}
+    impulses = [node for node in given if is_quantity(node, "impulse")]
+    if not impulses or entry.claim.sign != "=":
+        return None
+    for one, other in permutations((entry.claim.left, entry.claim.right)):
+        if not is_bare(one) or not (letters(other) - world.letters.keys()):
+            continue
+        for impulse in impulses:
+            if not _are_near(one, impulse, entry, world):
+                continue
+            if _are_near(other, impulse, entry, world):
+                return "impulse-sign"
+            for body in world.start:
+                mass = Quantity("mass", (Name(body),))
+                own = Binary("*", mass, other)
+                if _are_near(own, impulse, entry, world):
+                    return "mass-omitted"
+    return None
 
 
 def _at_stage(tree: Expression, stage: int) -> Expression:

@@ -48,7 +48,7 @@ class Grounds:
         """Whether a point is earned by what follows from a mistake.
 
         Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
-        an earlier A or B, and no method of a law.
+        an earlier A or B, and no method of a law, nor an equation of two spheres.
         """
         if point.letter == "B" and point.principle in LAWS and self._is_at_old_wall(line):
             return True  # the law is right, and the angle another point
@@ -65,18 +65,17 @@ class Grounds:
         return point.follows and lines[-1].his_own
 
     def _has_cost(self, roots: Sequence[JudgedLine], point: MarkPoint) -> bool:
-        """Whether mistakes have lost an answer or a B above a point, and no law.
+        """Whether mistakes have lost an answer or a B above a point, and no law of two spheres.
 
-        Of a law that is its method, its equation, or its B at a wall. An answer that is written
-        nowhere is lost to the mistake as well: it could not have been right.
+        Of such a law that is its method, or its equation; of an impulse it is the method. An answer
+        that is written nowhere is lost to the mistake as well: it could not have been right.
         """
         numbers = {root.line.number for root in roots}
         above = takewhile(lambda other: other.id != point.id, self.scheme.points)
         marks = [self.states[other.id] for other in above if other.id in self.states]
         lost = [mark for mark in marks if mark.state == "lost"]
         by_these = [mark for mark in lost if self._rests_on(mark.line, numbers)]
-        laws = (*LAWS, "impulse")
-        if any(mark.point.principle in laws and mark.point.item is None for mark in by_these):
+        if any(_is_of_a_law(mark.point) for mark in by_these):
             return False
         angles = [mark for mark in lost if mark.point.principle in OF_ANGLES]
         wrong = [root for root in roots if self._is_of_wrong_angle(root)]
@@ -267,7 +266,13 @@ class Grounds:
             other is line or any(x.principle == "impulse" and x.bodies in own for x in other.uses)
             for other in earned
             if other is not None
+            and not (other.verdict == "false" and self._is_of_other_body(other, line))
         )
+
+    def _is_of_other_body(self, one: JudgedLine, other: JudgedLine) -> bool:
+        """Whether two lines each have velocities of bodies that the other has not."""
+        bodies = self.values.bodies_in(one), self.values.bodies_in(other)
+        return all(bodies) and bodies[0].isdisjoint(bodies[1])
 
     def _is_turned(self, line: JudgedLine) -> bool:
         """Whether an inequality only follows from one that is false, and has no sign of its own."""
@@ -293,10 +298,13 @@ class Grounds:
             (
                 line
                 for line in self.lines
-                if line.verdict == "false"
-                and line.mistake is not None
-                and line.mistake.id in OF_DEFLECTION
-                and self.values.adds_angle(point, line)
+                if (
+                    line.verdict == "false"
+                    and line.mistake is not None
+                    and line.mistake.id in OF_DEFLECTION
+                    and self.values.adds_angle(point, line)
+                )
+                or (point.letter == "M" and self.values.names_angle(point, line))
             ),
             None,
         )
@@ -322,6 +330,13 @@ class Grounds:
 def _is_ratio_of_angle(point: MarkPoint) -> bool:
     """Whether a point is for the cosine or the tangent of which an angle that is asked is found."""
     return point.letter == "A" and point.item is None and point.principle in OF_ANGLES
+
+
+def _is_of_a_law(point: MarkPoint) -> bool:
+    """Whether a point is for the method of a law, or an impulse, or for an equation of a law."""
+    if point.letter == "M":
+        return point.principle in (*LAWS, "impulse")
+    return point.equation and point.principle in LAWS
 
 
 def has_name(line: JudgedLine) -> bool:

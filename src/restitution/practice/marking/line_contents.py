@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -33,7 +33,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.marking.sides import Sides, chains, spread_of
+from restitution.practice.marking.sides import Sides, chains, is_fine, spread_of
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.problem import Compare, Given, Impact
@@ -75,6 +75,7 @@ def place_in(tree: Expression) -> Quantity | None:
     return inside if is_quantity(inside, "position") else None
 
 
+_ANGLE = re.compile(r"\bangles?\b|°|\bdeg", re.IGNORECASE)
 _PARTS = re.compile(r"\b(?:parts?|bits?|components?|comps?|resolv\w+)\b", re.IGNORECASE)
 
 
@@ -127,7 +128,7 @@ class LineContents(Sides):
         if len(line.line.values) != items or _WORD.search(_UNITS.sub("", line.line.text)):
             return False
         value = line.line.values[point.item]
-        rounded = isinstance(value, Number | Degrees)
+        rounded = isinstance(value, Number | Degrees) or any(map(is_fine, walk(value)))
         return self._is_worth(value, link.left, line) or (
             rounded and self._has_figures_of(value, link.left, line)
         )
@@ -188,6 +189,15 @@ class LineContents(Sides):
         left = line.line.links[0].readings[0].left if line.line.links else None
         meant = self._meanings(line).get(left.name) if isinstance(left, Letter) else left
         return is_quantity(meant, "angle")
+
+    def is_of_geometry(self, line: JudgedLine) -> bool:
+        """Whether a line begins with the angle of a line of centres that an offset gives."""
+        left = line.line.links[0].readings[0].left if line.line.links else None
+        left = left.argument if isinstance(left, Apply) else left
+        meant = self._meanings(line).get(left.name, left) if isinstance(left, Letter) else left
+        of_line = meant is not None and any(is_quantity(x, "line_of_centres") for x in walk(meant))
+        offset = (isinstance(x, Impact) and x.offset is not None for x in self._base.events)
+        return of_line and any(offset)
 
     def _adds_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line has a root of a sum for a speed, with the square of one component."""
@@ -296,15 +306,40 @@ class LineContents(Sides):
         if link is None:
             return False
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
+        both = tuple(self._angles_between(angle)) if point.letter == "M" else ()
+        angles = both or (angle,)
         terms = (
             side
             for chain in chains(line)
             for claim in chain
-            for node in walk(claim.right)
+            for tree in (claim.left, claim.right)
+            for node in walk(tree)
             if is_binary(node, "+", "-")
             for side in (node.left, node.right)
         )
-        return any(self._is_angle(side, angle, line) for side in terms)
+        return any(self._is_angle(side, angle, line) for side in terms for angle in angles)
+
+    def _angles_between(self, angle: Expression) -> Iterator[Expression]:
+        """The angles of both velocities to an axis, or the line of centres, of a deflection."""
+        if not is_quantity(angle, "deflection"):
+            return
+        number = angle.stage if isinstance(angle.stage, int) else len(self._base.events)
+        axes: list[Expression] = [Unit("i"), Unit("j")]
+        if number in self._base.lines:
+            axes.append(Quantity("line_of_centres", (), number))
+        for stage in (number - 1, number):
+            velocity = Quantity("velocity", angle.arguments, stage)
+            yield from (Quantity("angle", (velocity, axis)) for axis in axes)
+
+    def names_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the angle of a point stands in a remark about angles, as a decimal."""
+        link = point.link
+        if link is None or line.verdict != "remark" or not _ANGLE.search(line.line.text):
+            return False
+        angle = link.left.argument if isinstance(link.left, Apply) else link.left
+        angles = tuple(self._angles_between(angle)) or (angle,)
+        values = [value for value in line.line.values if is_fine(value)]
+        return any(self._is_angle(value, angle, line) for value in values for angle in angles)
 
     def _has_part(
         self, vector: Expression, velocity: Quantity, point: MarkPoint, line: JudgedLine

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Quantity,
@@ -118,6 +119,28 @@ class Sides:
         """Whether a letter for a velocity after an impact stands in a line."""
         return any(self.velocities_in(claim, line) for chain in chains(line) for claim in chain)
 
+    def has_speeds(self, line: JudgedLine) -> bool:
+        """Whether a letter for a speed after an impact is in a line: ``v cos 75 = u cos 45``."""
+        meanings = self._meanings(line)
+        return any(
+            is_quantity(meanings.get(own.name, own) if isinstance(own, Letter) else own, "speed")
+            for chain in chains(line)
+            for claim in chain
+            for own in self.velocities_in(claim, line)
+        )
+
+    def bodies_in(self, line: JudgedLine) -> frozenset[str]:
+        """The bodies of which velocities after an impact stand in a line."""
+        meanings = self._meanings(line)
+        return frozenset(
+            node.name
+            for chain in chains(line)
+            for claim in chain
+            for own in self.velocities_in(claim, line)
+            for node in walk(meanings.get(own.name, own) if isinstance(own, Letter) else own)
+            if isinstance(node, Name)
+        )
+
     @staticmethod
     def _both(
         world: World,
@@ -171,6 +194,12 @@ class Sides:
         if isinstance(pair[1], Angle):
             own = own if isinstance(pair[0], Angle) else np.radians(own)
             own, true = np.degrees(own), np.degrees(true)
+        decimals = [
+            float(node.value) for node in walk(side) if isinstance(node, Number) and is_fine(node)
+        ]
+        if len(decimals) == 1 and any(names_in(side)) and np.all(own > _LEAST):
+            true = true * decimals[0] / own  # of 3.91u the figures are those of 3.91
+            own = np.full_like(true, decimals[0])
         if np.any(true < _LEAST):
             return False
         return bool(np.all(np.abs(own - true) <= units * 10 ** (np.floor(np.log10(true)) - 2)))

@@ -266,9 +266,11 @@ class SinglePoints(Grounds):
                     return self._earned(point, line, "")
             elif line.verdict == "follows" and not altered and lost is None:
                 # Newton's law with the sense that his momentum gives his letters.
-                if point.principle == "restitution" and self.values.has_velocities(line):
+                law = point.principle == "restitution"
+                law = law and not any(map(self.values.is_of_geometry, self._roots(line)))
+                if law and self.values.has_velocities(line):
                     return self._earned(point, line, "consistent with the line of momentum")
-                if point.principle == "restitution" and self._puts_in(line):
+                if law and self._puts_in(line):
                     return self._earned(point, line, "the law with his own values in it")
                 why = "follows from an earlier slip"
                 lost = PointMark(point, "lost", line.line.number, why)
@@ -342,7 +344,8 @@ class SinglePoints(Grounds):
         """
         if point.principle != "unchanged" or self.values.speaks_for(point, line):
             return True
-        return line.verdict == "true" and len(use.bodies) < 2
+        own = line.uses[:1] == (use,) and self.values.has_speeds(line)
+        return (line.verdict == "true" or own) and len(use.bodies) < 2
 
     def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
@@ -618,8 +621,25 @@ class SinglePoints(Grounds):
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
             if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
                 continue
+            if use.principle == point.principle == "impulse" and self._is_of_other(point, line):
+                continue
             return use
         return None
+
+    def _is_of_other(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether an impulse is the change of another body, where that of this one is wrong.
+
+        It stands for momentum then.
+        """
+        bodies = self.values.bodies_in(line)
+        if not (bodies and point.bodies) or bodies & set(point.bodies) or not is_sound(line):
+            return False
+        return any(
+            other.verdict == "false"
+            and any(use.principle == "impulse" for use in fitting_uses(other))
+            and self.values.bodies_in(other) & set(point.bodies)
+            for other in self.lines
+        )
 
     def _is_of_another(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line speaks of the angle of another point, and not of that of this one."""

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
 from restitution.practice.reading import (
     amounts,
     attributions,
+    lines_in_words,
     mass_centres,
     meetings,
     pairs_in_words,
@@ -342,6 +343,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
+    (lines_in_words.LINE_OF_CENTRES, lines_in_words.line_of_centres),
     (_DIRECTION_OF_IMPULSE, lambda _, __: "impulse is parallel to "),
     (_SPEED_SQUARED, lambda match, _: f"{match[1]} ^2"),
     (pairs_in_words.COMPONENTS, pairs_in_words.components),

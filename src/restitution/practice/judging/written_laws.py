@@ -1,0 +1,90 @@
+"""Laws that are written out term by term, with numbers put in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit, letters
+from restitution.practice.judgement import Use
+from restitution.practice.judging.entries import Entry
+from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.terms import terms_of
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+
+# What a line is said to use where too little is left open in it for a law to be seen.
+_OTHERWISE = frozenset({"solve", "unchanged", "fact", "component"})
+_NEAR, _TINY = 0.005, 1e-9
+_LEAST = 3
+
+
+def with_written_law(uses: tuple[Use, ...], entry: Entry, world: World) -> tuple[Use, ...]:
+    """The uses of a line, momentum first if all its terms are momenta of two spheres.
+
+    ``12 - 2 = 3(1.5) + w`` is an equation of w alone, and the law all the same.
+    """
+    if not uses or uses[0].principle not in _OTHERWISE or not _is_open(entry):
+        return uses
+    for number, spheres in _pairs_of(world):
+        if any(_is_momentum(entry, world, number, spheres, axis) for axis in _axes(number)):
+            law = Use("momentum", number, spheres)
+            return (law, *(use for use in uses if use.principle != "momentum"))
+    return uses
+
+
+def _is_open(entry: Entry) -> bool:
+    """Whether a claim is an equation with a letter in a sum."""
+    sides = entry.claim.left, entry.claim.right
+    return entry.claim.sign == "=" and any(map(letters, sides))
+
+
+def _axes(number: int) -> Iterator[Expression]:
+    """The line of centres, and i and j, along which momentum as a vector is kept."""
+    yield Quantity("line_of_centres", (), number)
+    yield from (Unit("i"), Unit("j"))
+
+
+def _pairs_of(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
+    """The impacts of two spheres, by the number of the event."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and number in world.lines and step.second not in world.walls:
+            yield number, (step.first, step.second)
+
+
+def _is_momentum(
+    entry: Entry, world: World, number: int, spheres: Sequence[str], axis: Expression
+) -> bool:
+    """Whether the terms of a claim are the momenta along an axis, before and after."""
+    momenta: list[Array] = []
+    for body, stage in product(spheres, (number - 1, number)):
+        part = Quantity("along", (Quantity("velocity", (Name(body),), stage), axis))
+        momentum = Binary("*", Quantity("mass", (Name(body),)), part)
+        try:
+            momenta.append(world.spread(world.scalar(momentum)))
+        except RestitutionError:
+            return False
+    pairs = zip(momenta[::2], momenta[1::2], strict=True)
+    if all(np.all(np.abs(before - after) <= _TINY) for before, after in pairs):
+        return False  # across the line of centres each keeps its own
+    moving = [np.abs(own) for own in momenta if np.all(np.abs(own) > _TINY)]
+    return any(
+        len(terms) == len(moving) >= _LEAST and _have_sizes(terms, moving, entry, world)
+        for terms in terms_of(entry.claim)
+    )
+
+
+def _have_sizes(
+    terms: Sequence[Expression], wanted: Sequence[Array], entry: Entry, world: World
+) -> bool:
+    """Whether terms have these sizes, in some order and up to one factor."""
+    try:
+        own = [world.spread(world.scalar(x, entry.meanings, scope=entry.scope)) for x in terms]
+    except RestitutionError:
+        return False
+    one, other = (np.sort(np.abs(np.stack(values)), axis=0) for values in (own, wanted))
+    ratios = one / other
+    return bool(np.all(np.ptp(ratios, axis=0) <= _NEAR * ratios[0]))
