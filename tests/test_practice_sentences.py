@@ -274,3 +274,98 @@ find velocity(A), velocity(B)
         ("7.5 = 3(4 - v)", None),
     ):
         assert names(marked(statement, line, v="along(velocity(A), i)")) == [name], line
+
+
+def test_whole_speeds_in_both_laws_are_two_mistakes() -> None:
+    statement = """sphere A: mass 3m, velocity 5u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+given tan(alpha) = 3/4
+find speed(A), speed(B)
+"""
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    lines = ["15u = 3v + w", "w - v = 1/2 × 5u", "v = 3.125u, w = 5.625u"]
+    found = marked(statement, *lines, **letters)
+    assert [line["verdict"] for line in found["lines"]] == ["false", "false", "follows"]
+    assert names(found)[:2] == ["speed-for-component"] * 2
+
+
+PASSAGE = """wall V: along i, through (0, 0)
+wall W: along i, through (0, 6)
+sphere P: at (0, 3), velocity 4i - 2j
+P hits V: e = 1/2
+P hits W: e = 1/2
+part a
+find time(2)
+part b
+find velocity(P), distance(position(P, 2), (0, 6))
+"""
+
+
+def marked_part(part: str, *lines: str) -> dict[str, Any]:
+    found: dict[str, Any] = restitution.mark(
+        solution_of(PASSAGE), "\n".join(lines), part=part
+    ).json()
+    return found
+
+
+def test_a_time_in_all_follows_from_one_without_a_name() -> None:
+    found = marked_part("a", "t = 3/2", "across after = 2", "6/2 = 3", "total = 4.5 s")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "true", "follows"]
+    assert found["marks"]["earned"] == 2
+    other = marked_part("a", "t = 3/2", "across after = 2", "6/2 = 3", "total = 4.9 s")
+    assert other["lines"][3]["verdict"] == "false"
+
+
+def test_a_number_between_two_signs_has_one_reading() -> None:
+    found = marked_part("a", "time to V 3/2", "speed across = 2 ÷ 1/2 = 4")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false"]
+    found = marked_part("a", "speed across after V = 2 ÷ 2/1 = 1")
+    assert [line["verdict"] for line in found["lines"]] == ["true"]
+
+
+def test_a_coordinate_answers_for_the_distance_that_it_is() -> None:
+    lines = ["x component 4 throughout", "v = 4i - 0.5j", "x = 4 × 7.5 = {} m"]
+    for value, state in ((30, "earned"), (36, "lost")):
+        points = marked_part("b", *lines[:2], lines[2].format(value))["marks"]["points"]
+        assert points[-1]["state"] == state, value
+
+
+def test_components_by_a_vector_that_is_no_unit_vector() -> None:
+    statement = UNKNOWN_LINE.replace("find velocity(B), line_of_centres", "find e")
+    lines = ["approach: 8 + 2 = 10", "separation: 3 + 2 = 5", "e = 1/2"]
+    found = marked(statement, *lines)
+    assert [line["verdict"] for line in found["lines"]] == ["true"] * 3
+    found = marked(statement, "approach: 8 + 2 = 10", "separation: 3 - 2 = 1", "e = 1/10")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "follows"]
+    assert names(found)[1] == "restitution-sign"
+    assert marked(statement, "approach: 8 + 1 = 9")["lines"][0]["verdict"] == "false"
+
+
+def test_sine_for_cosine_on_one_side_of_a_component_along_a_wall() -> None:
+    statement = """wall W: along i
+sphere P: velocity u at 45° to W
+P hits W
+given deflection(P) = 75°
+find e, speed(P)
+"""
+    lines = ["v sin 30 = u cos 45", "v cos 30 = e u sin 45"]
+    found = marked(statement, *lines, v="speed(P)")
+    assert names(found)[0] == "sine-cosine"
+    states = {(p["kind"], p["for"]): p["state"] for p in found["marks"]["points"]}
+    assert states["M1", "Newton's experimental law"] == "earned"
+    assert states["A1", "correct equation"] == "lost"
+    assert names(marked(statement, "v sin 30 = u sin 45", v="speed(P)"))[0] != "sine-cosine"
+
+
+def test_a_speed_by_the_name_of_its_body_is_no_rounding() -> None:
+    statement = """sphere A: mass 0.3, velocity 4 at 35°
+sphere B: mass 0.5, at rest
+A hits B: along i, e = 0.4
+find speed(A), speed(B)
+"""
+    for line, verdict in (
+        ("A = √(0.983² + 2.294²) = 2.50", "false"),
+        ("A = √(0.410² + 2.294²) = 2.33", "true"),
+    ):
+        assert marked(statement, line)["lines"][0]["verdict"] == verdict, line

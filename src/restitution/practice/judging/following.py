@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
-from restitution.practice.judgement import Accuracy, Verdict
+from restitution.practice.judgement import Accuracy, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
 from restitution.practice.judging.assembling import assembled_from
 from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
@@ -433,7 +433,7 @@ class Following(OwnValues):
         for number, mistake in self._explained.items():
             if again & {_family(variant.id) for variant in mistake.variants}:
                 repeated = repeated_in(mistake.variants, uses)
-                if repeated:
+                if repeated and not self._is_in_another_law(number, uses):
                     self._confirmed.setdefault(number, set()).update(repeated)
                     first = link.readings[0]
                     return JudgedLink("follows", first, "exact", (number,), REPEATED)
@@ -448,6 +448,19 @@ class Following(OwnValues):
                         self._confirmed.setdefault(number, set()).add(variant.id)
                         return JudgedLink("follows", claim, grade, (number,))
         return None
+
+    def _is_in_another_law(self, number: int, uses: Sequence[Use]) -> bool:
+        """Whether whole speeds stand in another law than in the line above: each is unresolved."""
+        if not all(_family(use.altered or "") == "speed-for-component" for use in uses):
+            return False
+        above = {
+            use.principle
+            for entry in self.entries
+            if entry.number == number
+            for use in self.uses_of_entry(entry)
+            if use.altered
+        }
+        return bool(above) and above.isdisjoint(use.principle for use in uses)
 
     def _once_more(self, entry: Entry) -> int | None:
         """The line above that defines an energy wrongly, where a claim does so in the same way."""

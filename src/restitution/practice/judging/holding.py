@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     unsigned,
 )
 from restitution.practice.judgement import Accuracy, Verdict
+from restitution.practice.judging.along_vectors import by_vectors
 from restitution.practice.judging.entries import (
     Entry,
     Meanings,
@@ -97,6 +98,7 @@ class Holding:
         self._meant: dict[str, Expression] = {}
         self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
         self._event_above: int | None = None
+        self._by_a_vector = False
 
     def meanings(self, number: int) -> Meanings:
         """What letters and phrases mean in a line."""
@@ -359,6 +361,28 @@ class Holding:
                     sources = sources_of(claim, self.entries) if verdict == "follows" else ()
                     return JudgedLink(verdict, claim, grade, sources)
         return None
+
+    def _by_vectors(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
+        """A component in words by a scalar product with a vector that is no unit vector."""
+        for claim in link.readings:
+            left = claim.left
+            meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None
+            for own in by_vectors(claim, meant, self._base):
+                grade = self._best_accuracy(own, worlds, line, link)
+                if grade is not None:
+                    self._by_a_vector = True
+                    sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                    return JudgedLink(verdict, own, grade, sources)
+        return None
+
+    def _in_unit_of_vector(self, claim: Claim, line: ScriptLine) -> Claim:
+        """A claim about a component by a vector, if one above was so as well."""
+        if not self._by_a_vector or not isinstance(claim.left, Letter):
+            return claim
+        meant = self.meanings(line.number).get(claim.left.name)
+        return next(by_vectors(claim, meant, self._base), claim)
 
     def _relabelled_quotient(
         self,

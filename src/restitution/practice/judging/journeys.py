@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations, product
 
-from restitution.expression.tree import Binary, Expression, Letter, Quantity
+from restitution.expression.tree import Binary, Expression, Letter, Number, Quantity
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.judging.following import Following
 from restitution.practice.judging.judged_link import JudgedLink
@@ -50,8 +50,10 @@ class Journeys(Following):
     def _summed_times(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A time in all that adds up times of lines above, of which one is wrong."""
         own = [entry for entry in self.entries if self._is_time(entry)]
-        known = [(x, 0) for x in self._times()] if any(entry.wrong for entry in own) else []
         wrong = [(entry.claim.right, entry.number) for entry in own if entry.wrong]
+        # A time on the way is a number without a name: 6/2 = 3, of a wrong speed.
+        wrong += [(Number(value), number) for value, number in self._own_numbers.worked()]
+        known = [(x, 0) for x in self._times()] if wrong else []
         for claim in link.readings if wrong else ():
             match claim:
                 case Claim(Letter(name), "=", value, ()) if is_numeric(value) and names_time(name):

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    has_unit_vector,
     is_binary,
     is_function,
     letters,
@@ -38,6 +39,7 @@ from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
+from restitution.practice.judging.exchanged_components import is_sine_for_cosine
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
 from restitution.practice.judging.named_results import is_impulse, is_result
@@ -155,6 +157,8 @@ class Names:
         at_wall = any(variant.event.wall for variant in variants)  # there a sign is the law
         if of_signs and of_signs <= OF_SIGNS and not (at_wall or self._is_of_impulse(entry)):
             variants = () if is_slip_of_sign(entry, mended, judge.base) else variants
+        if of_signs == {"momentum-sign"} and _is_turned_as_a_whole(entry, mended):
+            variants = ()  # 4(v - j) = -4i + 8j: which impulse it is of, is not said
         if is_halved(entry):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:
@@ -184,6 +188,8 @@ class Names:
         plain = None if variants else plain
         if (blown := of_given_impulse(entry, judge.base)) is not None:
             variants, plain = (), blown
+        if families != {"sine-cosine"} and is_sine_for_cosine(entry, judge.base):
+            variants, plain = (), "sine-cosine"
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:
@@ -573,6 +579,16 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
         and (law.law != "unchanged" or not bodies or set(bodies) & set(law.bodies))
         for law in variant.laws
         for principle, event, bodies in stated
+    )
+
+
+def _is_turned_as_a_whole(entry: Entry, mended: Sequence[Correction]) -> bool:
+    """Whether a vector that is one whole side of a claim has the wrong sense."""
+    sides = entry.claim.left, entry.claim.right
+    return any(map(has_unit_vector, sides)) and any(
+        correction.change == "sign"
+        and any(correction.part is side or correction.part == side for side in sides)
+        for correction in mended
     )
 
 

@@ -86,6 +86,12 @@ class OwnNumbers:
         known = tuple(Negate(tree) if negative else tree for tree in trees)
         self._known[size] = known[:_MEANT], line
 
+    def worked(self) -> Iterator[tuple[Fraction, int]]:
+        """The numbers that are worked out of wrong ones by a quotient, each with its line."""
+        for value, (meant, line) in self._known.items():
+            if any(is_binary(unsigned(tree), "/") for tree in meant):
+                yield value, line
+
     def put_back(self, claim: Claim) -> Iterator[Put]:
         """A claim with what its wrong numbers stand for, and the lines that these are from.
 

@@ -193,8 +193,8 @@ def of_given_impulse(entry: Entry, world: World) -> str | None:
     if not impulses or entry.claim.sign != "=":
         return None
     for one, other in permutations((entry.claim.left, entry.claim.right)):
-        if not is_bare(one) or not (letters(other) - world.letters.keys()):
-            continue
+        if not is_bare(one) or len(letters(other) - world.letters.keys()) != 1:
+            continue  # of one body, and no difference of two velocities
         for impulse in impulses:
             if not _are_near(one, impulse, entry, world):
                 continue

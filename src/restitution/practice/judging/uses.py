@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from restitution.explaining.mistakes.misconceptions import VariantAt
-from restitution.expression.tree import Number
+from restitution.expression.tree import Number, is_binary
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.entries import is_numeric
 from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.script import Claim
 
@@ -46,6 +47,12 @@ def as_labelled(variants: Sequence[VariantAt], text: str) -> tuple[VariantAt, ..
 def is_bare_value(claim: Claim, uses: Sequence[Use]) -> bool:
     """Whether a claim gives one number as a value, and no law with it: ``separation 3``."""
     return isinstance(claim.right, Number) and any(use.principle == "value" for use in uses)
+
+
+def is_e_times(claim: Claim, uses: Sequence[Use]) -> bool:
+    """Whether a product of numbers is the law of restitution in numbers: ``¾ × 8 = 6``."""
+    law = bool(uses) and uses[0].principle == "restitution"
+    return law and is_binary(claim.left, "*") and is_numeric(claim.left)
 
 
 def of_mistake(mistake: Mistake, use: Use) -> Use:

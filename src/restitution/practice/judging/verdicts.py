@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
+from restitution.practice.judging.alike_readings import in_one_reading
 from restitution.practice.judging.angles import unnamed_in
 from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.deciding import decided
@@ -71,6 +72,7 @@ from restitution.practice.judging.unlabelled import Unlabelled, followed
 from restitution.practice.judging.uses import (
     as_labelled,
     is_bare_value,
+    is_e_times,
     of_mistake,
     with_variants,
 )
@@ -275,7 +277,7 @@ class Judge(Unlabelled):
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
         uses, stated = self._uses(line, links) if self._names else ((), ())
         known = all(self._is_known(link.claim) for link in links)
-        if verdict == "true" and (not known or _is_e_times(links[0].claim, uses)):
+        if verdict == "true" and (not known or is_e_times(links[0].claim, uses)):
             # A value rests on laws, and states none; nor does what is data alone.
             self._stated |= {
                 (use.principle, use.event, use.bodies)
@@ -475,6 +477,9 @@ class Judge(Unlabelled):
                 and self._is_of_unlike(line, link)
             ):
                 judged_link = self._from_start(line, link, judged) or judged_link
+            alike = in_one_reading(line, judged, judged_link)
+            if alike is not None and self._link(line, alike[1]).verdict != "true":
+                judged[-1] = self._link(line, alike[0])  # in v = 2 ÷ 1/2 = 4 it is v that is 4
             judged.append(judged_link)
             numeric = is_numeric(judged_link.claim.left) and is_numeric(judged_link.claim.right)
             if judged_link.verdict in ("false", "follows") and not numeric:
@@ -606,6 +611,7 @@ class Judge(Unlabelled):
             or self._of_other_root(line, link)
             or self._nearly(line, link)
             or self._in_units(line, link, self.worlds, "true")
+            or self._by_vectors(line, link, self.worlds, "true")
             or self._in_other_sense(line, link)
             or self._under_condition(line, link)
             or self._at_an_extreme(line, link)
@@ -658,7 +664,8 @@ class Judge(Unlabelled):
                 ):
                     missing.add(claim.left.name)  # since when it counts, nobody knows
                 elif not missing:
-                    return JudgedLink("false", self._at_heading(claim, line))
+                    own = self._in_unit_of_vector(claim, line)
+                    return JudgedLink("false", self._at_heading(own, line))
         first = link.readings[0]
         if missing:
             return JudgedLink("asks", first, letters=frozenset(missing))
@@ -680,12 +687,6 @@ class Judge(Unlabelled):
         meant = self._meanings_of(claim.left.name, event)
         same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
         return claim if own in meant or not same else replace(claim, left=same[0])
-
-
-def _is_e_times(claim: Claim, uses: Sequence[Use]) -> bool:
-    """Whether a product of numbers is the law of restitution in numbers: ``¾ × 8 = 6``."""
-    law = bool(uses) and uses[0].principle == "restitution"
-    return law and is_binary(claim.left, "*") and is_numeric(claim.left)
 
 
 def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:

@@ -23,9 +23,9 @@ _LEAST = 3
 
 
 def with_written_law(uses: tuple[Use, ...], entry: Entry, world: World) -> tuple[Use, ...]:
-    """The uses of a line, momentum first if all its terms are momenta of two spheres.
+    """The uses of a line, a law of two spheres first if all its terms are those of the law.
 
-    ``12 - 2 = 3(1.5) + w`` is an equation of w alone, and the law all the same.
+    ``12 - 2 = 3(1.5) + w`` is an equation of w alone, and momentum all the same.
     """
     if not uses or uses[0].principle not in _OTHERWISE or not _is_open(entry):
         return uses
@@ -33,6 +33,9 @@ def with_written_law(uses: tuple[Use, ...], entry: Entry, world: World) -> tuple
         if any(_is_momentum(entry, world, number, spheres, axis) for axis in _axes(number)):
             law = Use("momentum", number, spheres)
             return (law, *(use for use in uses if use.principle != "momentum"))
+        if _is_restitution(entry, world, number, spheres):
+            law = Use("restitution", number, spheres)
+            return (law, *(use for use in uses if use.principle != "restitution"))
     return uses
 
 
@@ -70,7 +73,32 @@ def _is_momentum(
     pairs = zip(momenta[::2], momenta[1::2], strict=True)
     if all(np.all(np.abs(before - after) <= _TINY) for before, after in pairs):
         return False  # across the line of centres each keeps its own
-    moving = [np.abs(own) for own in momenta if np.all(np.abs(own) > _TINY)]
+    return _has_terms(entry, world, momenta)
+
+
+def _is_restitution(entry: Entry, world: World, number: int, spheres: Sequence[str]) -> bool:
+    """Whether the terms of a claim are speeds of separation, and of approach times e."""
+    line = Quantity("line_of_centres", (), number)
+    try:
+        before, after = (
+            [
+                world.spread(world.scalar(Quantity("along", (velocity, line))))
+                for velocity in (Quantity("velocity", (Name(body),), stage) for body in spheres)
+            ]
+            for stage in (number - 1, number)
+        )
+        e = world.spread(world.scalar(Quantity("restitution", (), number)))
+    except RestitutionError:
+        return False
+    approach = before[0] - before[1]
+    return _has_terms(entry, world, [*after, *(e * own for own in before)]) or _has_terms(
+        entry, world, [*after, e * approach]
+    )
+
+
+def _has_terms(entry: Entry, world: World, wanted: Sequence[Array]) -> bool:
+    """Whether the terms of a claim are those of a law that are not zero."""
+    moving = [np.abs(own) for own in wanted if np.all(np.abs(own) > _TINY)]
     return any(
         len(terms) == len(moving) >= _LEAST and _have_sizes(terms, moving, entry, world)
         for terms in terms_of(entry.claim)

@@ -9,10 +9,12 @@ from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import Letter, Quantity, is_binary, is_function, walk
 from restitution.practice.judgement import JudgedLine, Judgement, Use
 from restitution.practice.marking.lines import (
+    SOUND,
     fitting_uses,
     has_vector,
     is_plain,
     is_slip,
+    is_sound,
     subtracts_squares,
 )
 from restitution.practice.marking.marks import PointMark
@@ -273,6 +275,74 @@ class Grounds:
         """Whether two lines each have velocities of bodies that the other has not."""
         bodies = self.values.bodies_in(one), self.values.bodies_in(other)
         return all(bodies) and bodies[0].isdisjoint(bodies[1])
+
+    def _is_of_other(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether an impulse is the change of another body, where that of this one is wrong.
+
+        It stands for momentum then.
+        """
+        bodies = self.values.bodies_in(line)
+        if not (bodies and point.bodies) or bodies & set(point.bodies) or not is_sound(line):
+            return False
+        return any(
+            other.verdict == "false"
+            and any(use.principle == "impulse" for use in fitting_uses(other))
+            and self.values.bodies_in(other) & set(point.bodies)
+            for other in self.lines
+        )
+
+    def _same(self, point: MarkPoint) -> JudgedLine | None:
+        """A true line with the coordinate that a distance which is asked for is equal to."""
+        if point.shown or not self.values.is_distance(point):
+            return None
+        alike = [
+            other
+            for other in self.scheme.points
+            if other.id in point.depends and self.values.are_as_much(point, other)
+        ]
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "true"
+                and line.grounded
+                and any(self.values.matches(other, line) == "true" for other in alike)
+            ),
+            None,
+        )
+
+    def _lacks_an_end(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a range is answered by one of its two ends alone, in all lines."""
+        line = self._line(mark.line)
+        if point.item is None or line is None or line.verdict != "true":
+            return False
+        return self.values.lacks_an_end(point, [x for x in self.lines if x.verdict in SOUND])
+
+    def _unchanged_instead(self, point: MarkPoint) -> JudgedLine | None:
+        """A true line with the component that stays, where the scheme has the other one alone."""
+        if point.letter != "B" or any(
+            (other.principle, other.event) == ("unchanged", point.event)
+            for other in self.scheme.points
+        ):
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "true"
+                and any((x.principle, x.event) == ("unchanged", point.event) for x in line.stated)
+            ),
+            None,
+        )
+
+    def _spoils_laws(self, point: MarkPoint, root: JudgedLine) -> bool:
+        """Whether no equation of a law is right below a mistake: an angle, or sine for cosine.
+
+        At a wall what is exchanged in one component is so in the other.
+        """
+        exchanged = root.mistake is not None and root.mistake.id == "sine-cosine"
+        at_a_wall = exchanged and self.values.is_at_a_wall(point)
+        return self.values.is_of_geometry(root) or at_a_wall
 
     def _is_turned(self, line: JudgedLine) -> bool:
         """Whether an inequality only follows from one that is false, and has no sign of its own."""

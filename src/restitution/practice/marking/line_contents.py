@@ -33,7 +33,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.marking.sides import Sides, chains, is_fine, spread_of
+from restitution.practice.marking.sides import Sides, are_close, chains, is_fine, spread_of
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.problem import Compare, Given, Impact
@@ -105,6 +105,28 @@ class LineContents(Sides):
             meanings.get(name, Letter(name)) in (e, Quantity("restitution", (), point.event))
             for tree in (*sides, *line.line.values)
             for name in letters(tree)
+        )
+
+    def has_speeds(self, line: JudgedLine) -> bool:
+        """Whether a letter for a speed after an impact is in a line: ``v cos 75 = u cos 45``."""
+        meanings = self._meanings(line)
+        return any(
+            is_quantity(meanings.get(own.name, own) if isinstance(own, Letter) else own, "speed")
+            for chain in chains(line)
+            for claim in chain
+            for own in self.velocities_in(claim, line)
+        )
+
+    def bodies_in(self, line: JudgedLine) -> frozenset[str]:
+        """The bodies of which velocities after an impact stand in a line."""
+        meanings = self._meanings(line)
+        return frozenset(
+            node.name
+            for chain in chains(line)
+            for claim in chain
+            for own in self.velocities_in(claim, line)
+            for node in walk(meanings.get(own.name, own) if isinstance(own, Letter) else own)
+            if isinstance(node, Name)
         )
 
     def is_about_others(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -299,6 +321,24 @@ class LineContents(Sides):
         """Whether a point is for the place of a body, or a coordinate of it."""
         left = point.link.left if point.link is not None else None
         return left is not None and place_in(left) is not None and not point.shown
+
+    def is_distance(self, point: MarkPoint) -> bool:
+        """Whether a point is for a distance."""
+        return point.link is not None and is_quantity(point.link.left, "distance")
+
+    def are_as_much(self, one: MarkPoint, other: MarkPoint) -> bool:
+        """Whether what two points are for has one size: a distance, and the coordinate it is."""
+        if one.link is None or other.link is None:
+            return False
+        try:
+            sizes = [
+                np.abs(self._base.spread(self._base.scalar(point.link.left)))
+                for point in (one, other)
+                if point.link is not None
+            ]
+        except RestitutionError:
+            return False
+        return are_close(*sizes)
 
     def adds_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the angle of a point is a term of a sum of angles in a line."""

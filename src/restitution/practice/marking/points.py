@@ -250,6 +250,12 @@ class _Examiner(SinglePoints):
                 worked = state.point.principle == "energy" and name in point.depends
                 worked = worked and point.principle == "energy" and not is_plain(line)
                 is_step = is_step or (state.point.letter == "M" and worked)
+                is_step = is_step or (
+                    # A time in all, or a way, is put together of times or ways.
+                    (state.point.letter, state.point.principle) == ("M", "place")
+                    and name in point.depends
+                    and point.item is not None
+                )
                 is_step = is_step and not self._is_at_old_angle(state.point, line)
                 is_step = is_step and not self._has_no_components(state.point, line)
                 is_step = is_step and not self._has_no_turn(state.point, line)
@@ -373,6 +379,7 @@ class _Examiner(SinglePoints):
         if line is None or mark.point.letter == "B" or mark.point.equation:
             return False
         solved = self.values.is_solved(line) or self.values.is_place(mark.point)
+        solved = solved or (mark.point.item is not None and self.values.is_distance(mark.point))
         return line.verdict == "true" and line.grounded and solved
 
     def _is_wrong(self, number: int) -> bool:

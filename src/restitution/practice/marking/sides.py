@@ -24,7 +24,6 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Name,
     Negate,
     Number,
     Quantity,
@@ -118,28 +117,6 @@ class Sides:
     def has_velocities(self, line: JudgedLine) -> bool:
         """Whether a letter for a velocity after an impact stands in a line."""
         return any(self.velocities_in(claim, line) for chain in chains(line) for claim in chain)
-
-    def has_speeds(self, line: JudgedLine) -> bool:
-        """Whether a letter for a speed after an impact is in a line: ``v cos 75 = u cos 45``."""
-        meanings = self._meanings(line)
-        return any(
-            is_quantity(meanings.get(own.name, own) if isinstance(own, Letter) else own, "speed")
-            for chain in chains(line)
-            for claim in chain
-            for own in self.velocities_in(claim, line)
-        )
-
-    def bodies_in(self, line: JudgedLine) -> frozenset[str]:
-        """The bodies of which velocities after an impact stand in a line."""
-        meanings = self._meanings(line)
-        return frozenset(
-            node.name
-            for chain in chains(line)
-            for claim in chain
-            for own in self.velocities_in(claim, line)
-            for node in walk(meanings.get(own.name, own) if isinstance(own, Letter) else own)
-            if isinstance(node, Name)
-        )
 
     @staticmethod
     def _both(

@@ -267,7 +267,7 @@ class SinglePoints(Grounds):
             elif line.verdict == "follows" and not altered and lost is None:
                 # Newton's law with the sense that his momentum gives his letters.
                 law = point.principle == "restitution"
-                law = law and not any(map(self.values.is_of_geometry, self._roots(line)))
+                law = law and not any(self._spoils_laws(point, x) for x in self._roots(line))
                 if law and self.values.has_velocities(line):
                     return self._earned(point, line, "consistent with the line of momentum")
                 if law and self._puts_in(line):
@@ -417,8 +417,11 @@ class SinglePoints(Grounds):
             items = len({other.item for other in self.scheme.points} - {None})
             listed = next((x for x in self.lines if self.values.lists(point, x, items)), None)
             last = None if listed is None else self._earned(point, listed, "")
+        if last is None and point.item is not None and (same := self._same(point)) is not None:
+            last = self._earned(point, same, "is worth as much")
         if last is None and point.principle == "component":
             used = next((line for line in self.lines if self.values.relates(point, line)), None)
+            used = used or self._unchanged_instead(point)
             last = None if used is None else self._earned(point, used, "used here")
         if last is None:
             used = next(
@@ -449,13 +452,6 @@ class SinglePoints(Grounds):
         """Whether a right answer may be one of several; of what follows nobody counts them."""
         line = self._line(mark.line)
         return point.item is not None and line is not None and line.verdict != "follows"
-
-    def _lacks_an_end(self, point: MarkPoint, mark: PointMark) -> bool:
-        """Whether a range is answered by one of its two ends alone, in all lines."""
-        line = self._line(mark.line)
-        if point.item is None or line is None or line.verdict != "true":
-            return False
-        return self.values.lacks_an_end(point, [x for x in self.lines if x.verdict in SOUND])
 
     def _is_begun(self, point: MarkPoint, mark: PointMark) -> bool:
         """Whether a value is earned by a multiple of it alone: ``3v/2 = √13/6``."""
@@ -625,21 +621,6 @@ class SinglePoints(Grounds):
                 continue
             return use
         return None
-
-    def _is_of_other(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether an impulse is the change of another body, where that of this one is wrong.
-
-        It stands for momentum then.
-        """
-        bodies = self.values.bodies_in(line)
-        if not (bodies and point.bodies) or bodies & set(point.bodies) or not is_sound(line):
-            return False
-        return any(
-            other.verdict == "false"
-            and any(use.principle == "impulse" for use in fitting_uses(other))
-            and self.values.bodies_in(other) & set(point.bodies)
-            for other in self.lines
-        )
 
     def _is_of_another(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line speaks of the angle of another point, and not of that of this one."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from difflib import SequenceMatcher
 from fractions import Fraction
 
 from restitution.expression.tree import (
@@ -165,6 +166,8 @@ def _replaced(line: Plain, match: re.Match[str], text: str) -> Plain:
     """A line with another text in place of a match; what stands in both keeps its columns."""
     start, end = match.span()
     own = [line.columns[start]] * len(text)
+    for there, here, size in SequenceMatcher(None, match[0], text, False).get_matching_blocks():
+        own[here : here + size] = line.columns[start + there : start + there + size]
     behind = 0
     for number, group in enumerate(match.groups(), 1):
         place = text.find(group, behind) if group else -1

@@ -1,0 +1,61 @@
+"""A component along a wall set equal to one at right angles to it: ``v sin β = u cos α``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import permutations
+
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Name,
+    Quantity,
+    is_function,
+    letters,
+    walk,
+)
+from restitution.practice.judging.claimed import has_value
+from restitution.practice.judging.entries import Entry
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+
+# The component of a velocity that a function of its angle to the wall gives.
+_PARTS: Mapping[str, str] = {"sin": "along", "cos": "across"}
+
+
+def is_sine_for_cosine(entry: Entry, world: World) -> bool:
+    """Whether a component after a wall is that before at right angles, both by their angles."""
+    if entry.claim.sign != "=" or not letters(entry.claim.left) | letters(entry.claim.right):
+        return False
+    sides = entry.claim.left, entry.claim.right
+    functions = [set(_functions_in(side)) for side in sides]
+    if {len(own) for own in functions} != {1} or functions[0] == functions[1]:
+        return False
+    return any(
+        all(
+            _is_component(side, stage, name, number, entry, world)
+            for side, stage in ((before, number - 1), (after, number))
+        )
+        for number, step in enumerate(world.events, 1)
+        if isinstance(step, Impact) and step.second in world.walls
+        for name in (step.first,)
+        for before, after in permutations(sides)
+    )
+
+
+def _functions_in(tree: Expression) -> Iterator[str]:
+    """The sines and cosines in a tree."""
+    for node in walk(tree):
+        if isinstance(node, Apply) and is_function(node, *_PARTS):
+            yield node.function
+
+
+def _is_component(
+    tree: Expression, stage: int, body: str, number: int, entry: Entry, world: World
+) -> bool:
+    """Whether a tree has the size of the component that its sine or cosine gives."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    line = Quantity("line_of_centres", (), number)
+    (function,) = set(_functions_in(tree))
+    part = Apply("abs", Quantity(_PARTS[function], (velocity, line)))
+    return has_value(part, Apply("abs", tree), entry, world)
