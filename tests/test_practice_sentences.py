@@ -369,3 +369,15 @@ find speed(A), speed(B)
         ("A = √(0.410² + 2.294²) = 2.33", "true"),
     ):
         assert marked(statement, line)["lines"][0]["verdict"] == verdict, line
+
+
+def test_a_number_over_itself_is_no_other_number() -> None:
+    statement = """sphere A: mass 3, velocity 2i + 5j
+sphere B: mass 1, velocity 4i - 3j
+A hits B: along j, e = 1/4
+find velocity(A), velocity(B)
+"""
+    letters = {"p": "along(velocity(A), i)", "y": "along(velocity(A), j)"}
+    for value, verdict in (("5/5", "false"), ("5/2", "true")):
+        found = marked(statement, "p = 5", f"y = {value}", **letters)
+        assert [line["verdict"] for line in found["lines"]] == ["false", verdict], value

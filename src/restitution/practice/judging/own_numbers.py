@@ -42,6 +42,11 @@ Meant = tuple[tuple[Expression, ...], tuple[Fraction, ...]]
 Put = tuple[Claim, tuple[int, ...]]
 
 
+def _is_one(tree: Expression) -> bool:
+    """Whether a number stands over itself."""
+    return is_binary(tree, "/") and tree.left == tree.right
+
+
 class OwnNumbers:
     """The wrong numbers of a script so far, each with what it stands for and its line.
 
@@ -161,8 +166,8 @@ class OwnNumbers:
         trees, line = self._known[size]
         behind = self._behind.get(size)
         places = [*_places(claim.left, size), *_places(claim.right, size)]
-        if len(places) < _FEWEST:
-            return
+        if len(places) < _FEWEST or any(map(_is_one, (claim.left, claim.right))):
+            return  # of 5/5 no figure is another number than its other one
         for tree in (own for meant in trees for own in (meant, Negate(meant))):
             for left in _with_one(claim.left, size, tree, behind):
                 yield replace(claim, left=left), (line,)
