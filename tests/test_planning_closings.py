@@ -236,6 +236,36 @@ find k
 """,
         ("tan β = u sin α/(⅙u cos α) = 6 tan α", "k = (6 tan α)/tan α = 6"),
     ),
+    "speed, direction and an impulse at a wall": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given speed(P) = 5, angle(velocity(P), W) = 30°, impulse = 8 m
+find u, alpha, e
+""",
+        ("u cos α = 5 cos 30°", "8m = m(5/2 + u sin α)", "tan α = 11√3/15", "u = 7", "e = 5/11"),
+    ),
+    "speed, direction and a share of energy at a wall": (
+        """
+wall W: along i
+sphere P: mass 2, velocity u at alpha to W
+P hits W
+given speed(P) = 5, angle(velocity(P), W) = 35°, energy(P) = 0.6 energy(P, 0)
+find u, alpha, e
+""",
+        ("5² = 0.6u²", "cos α = (√15/5) cos 35°", "e ≈ 0.575"),
+    ),
+    "a range of a loss, where a fact ties the coefficient": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given along(velocity(A), i) = 0
+find range of energy_lost/energy(0)
+""",
+        ("e = 1/k", "fraction lost = ((k − 1) cos²α)/k", "k ≥ 1", "0 ≤ fraction lost < 1"),
+    ),
     "the sum of two speeds, with an angle": (
         """
 sphere A: mass m, velocity u at alpha

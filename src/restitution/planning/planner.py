@@ -57,6 +57,7 @@ from restitution.planning.open_clashes import write_open_clash
 from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.routes.back_through_walls import write_back_through_walls
 from restitution.planning.routes.before_impulses import write_before_impulses
+from restitution.planning.routes.coefficients_given import with_coefficients_given
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
 from restitution.planning.routes.items import write_item
 from restitution.planning.routes.late_facts import write_with_facts
@@ -554,20 +555,22 @@ def _write_item(
                 raise NotPlannedError("a percentage")
             relation = relation_of(asked, result)
             if not _write_one_value(scene, solver, asked, relation, name):
-                _write_range(scene, solver, asked, relation, result, name)
+                write = partial(_write_range, scene, solver, asked, relation, result, name)
+                with_coefficients_given(scene, solver, write)
         case Extremum():
             from restitution.planning.inequalities.extrema import only_answer, write_extremum
 
             asked = with_angles_given(scene, staged(problem, item.expression, now))
             over = item.over
 
-            def write(answer: Answer) -> None:
+            def write_answer(answer: Answer) -> None:
                 write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
 
             if len(result.distinct) > 1:
-                write_forms(scene, solver, write, result.distinct, name)
+                write_forms(scene, solver, write_answer, result.distinct, name)
             else:
-                write(only_answer(result))
+                whole = partial(write_answer, only_answer(result))
+                with_coefficients_given(scene, solver, whole)
         case Value():
             asked = with_angles_given(scene, staged(problem, item.expression, now))
             if not write_with_facts(scene, solver, name):

@@ -179,11 +179,48 @@ class Closing(ByLaws):
                 lines = resolved_at_a_wall(self.scene, *pair)
                 if lines is None:
                     continue
-                if self._both_close(lines):
+                closed = [turned, fast] if self._both_close(lines) else None
+                if closed is None:
+                    third = self._with_a_third(left, (turned, fast), lines)
+                    closed = None if third is None else [turned, fast, third]
+                if closed is not None:
                     laws = (own for own in left if own.id == f"wall {self._wall_of(lines)}")
                     self.equations.used.add(fast.id)
-                    return tuple(own for own in (turned, fast, *laws) if own in left)
+                    return tuple(own for own in (*closed, *laws) if own in left)
                 self.back(standing)
+        return None
+
+    def _with_a_third(
+        self, left: Sequence[Candidate], pair: tuple[Candidate, Candidate], lines: tuple[int, int]
+    ) -> Candidate | None:
+        """The fact by which both laws of components tell three unknowns: it has two of them.
+
+        With the component along the wall it tells speed and direction before; the coefficient is
+        in the other law.
+        """
+        givens = self.equations.givens
+        for own in left:
+            if own.id not in givens or own in pair:
+                continue
+            standing = self.mark()
+            fast = givens[pair[1].id]
+            self.scene.desk.know(fast.link.left, self.scene.scalar(fast.link.right), fast.refs)
+            number = self._line(own)
+            if number is None:
+                self.back(standing)
+                continue
+            number = with_known(self.scene, number)
+            opened = [self.scene.unknown(residual(self.scene, n)) for n in (number, lines[0])]
+            if len(opened[0]) == 1:
+                if self._closes(number, *opened[0]) and self._both_close(lines):
+                    return own
+            elif opened[0] == opened[1] and len(opened[0]) == len(lines):
+                x, y = sorted(opened[0], key=self._wanted_later)
+                last = self.scene.unknown(residual(self.scene, lines[1])) - opened[0]
+                both = len(last) == 1 and self._close_both((lines[0], number), (x, y))
+                if both and self._closes(with_known(self.scene, lines[1]), *last):
+                    return own
+            self.back(standing)
         return None
 
     def _squares_with_momentum(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:

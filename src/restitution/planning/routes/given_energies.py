@@ -90,7 +90,8 @@ def _of_two_energies(scene: Scene, equation: GivenEquation, left: Quantity) -> i
     if len(stages) != 2:
         return None
     (a, _, a_refs), (b, _, b_refs) = (
-        squares(scene, name.name, scene.last_event(name.name, stage)) for stage in stages
+        squares(scene, name.name, scene.last_event(name.name, stage), known=True)
+        for stage in stages
     )
     right = b if factor == ONE else swept(product(factor, b))
     relation = chain(swept(a), (right, None))

@@ -42,7 +42,8 @@ def is_factored_quadratic(value: sp.Expr, unknown: Collection[sp.Symbol]) -> boo
     (letter,) = unknown
     if not value.is_polynomial(letter):
         return False
-    sums = [power for base, power in factor_powers(value) if base.is_Add and base.has(letter)]
+    above = numerator(value)  # below the line other letters may stand
+    sums = [power for base, power in factor_powers(above) if base.is_Add and base.has(letter)]
     return sum(sums) > 1 and bool(expanded(value).coeff(letter, 1))
 
 
