@@ -12,7 +12,6 @@ from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of, staged
 from restitution.explaining.data.unused import spare_facts
 from restitution.explaining.lines.derivation import Derivation, Line, Meaning, Relation
-from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -505,9 +504,9 @@ def _in_letters_of(scene: Scene, index: int) -> Scene | None:
 def _require_short(lines: Iterable[Line]) -> None:
     """Refuses a line that is a tangle: none of those that people write comes near to that."""
     for line in lines:
-        trees_ = () if isinstance(line.relation, Meaning) else trees_of(line.relation)
-        if any(len(walk(tree)) > _MOST_IN_A_LINE for tree in trees_):
-            raise NotPlannedError(f"line {line.number} is too long")
+        for tree in () if isinstance(line.relation, Meaning) else line.relation.trees:
+            if len(walk(tree)) > _MOST_IN_A_LINE:
+                raise NotPlannedError(f"line {line.number} is too long")
 
 
 def _write_end(

@@ -58,11 +58,15 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
     A ratio of two energies has dozens of forms: those of energies of which the line, or what is
     cited, speaks.
     """
-    templates = map(step.setting.settled, _forms(step, line))
-    if step.move.record != "energy-ratio":
-        return templates
-    spoken = _quantities(step, line)
-    return (link for link in templates if spoken.issuperset(quantities_in(link.left)))
+    forms = _forms(step, line)
+    if step.move.record == "energy-ratio":
+        spoken = _quantities(step, line)
+        forms = (
+            link
+            for link in forms
+            if spoken.issuperset(quantities_in(step.setting.quantity(link.left)))
+        )
+    return map(step.setting.settled, forms)
 
 
 def _forms(step: Step, line: Link) -> Iterator[Link]:
