@@ -47,7 +47,7 @@ def test_the_tangent_of_a_direction_is_that_of_the_angle_with_the_line_of_centre
         STRUCK + "part a\nshow tan(direction(A)) = 2 tan(theta)\n"
         "part b\nshow tan(deflection(A)) = tan(theta)/(1 + 2tan^2(theta))\n"
     )
-    assert "no component of 𝐯_A is negative, so it is the same angle" in parts["b"]
+    assert "no component of 𝐯_A is negative, so the two angles are equal" in parts["b"]
     assert "u sin θ" not in parts["b"]
     assert "tan δ = (2 tan θ − tan θ)/(1 + 2 tan²θ)" in parts["b"]
 

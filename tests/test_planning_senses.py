@@ -236,9 +236,9 @@ find speed(C)
 sphere P: mass 2, velocity 5i
 P receives J at theta
 given J = 8, speed(P) = 7
-find cos(theta), deflection(P)
+find cos(theta), velocity(P), deflection(P)
 """,
-        ("𝐯_P = ((29/5)𝐢 + (8√6/5)𝐣)", "cos δ = (5 × (29/5))/(5 × 7)"),
+        ("𝐯_P = (29/5)𝐢 + (8√6/5)𝐣", "cos δ = (5 × (29/5))/(5 × 7)"),
         (),
     ),
     "why a deflection is a difference": (
@@ -353,7 +353,7 @@ A hits W: e = 1/3
 A hits B: along i, e = 1/2
 find tan(deflection(A, 1)), tan(deflection(A, 2))
 """,
-        ("W is parallel to the line of centres, so it is the same angle:",),
+        ("W is parallel to the line of centres, so the two angles are equal:",),
         (),
     ),
     "a deflection from direction to direction": (

@@ -184,3 +184,75 @@ def test_a_change_of_velocity_is_worked_out_once(mass: str, impulse: str) -> Non
         ],
     )
     assert text.count("(−𝐢 − 2𝐣) − (4𝐢 − 3𝐣)") == 1
+
+
+KICKED = """
+sphere P: mass 2, velocity {velocity}
+P receives J at theta
+given J = {size}, speed(P) = {speed}
+find {asked}
+"""
+
+
+@pytest.mark.parametrize(
+    ("velocity", "size", "speed", "asked", "cosine"),
+    [
+        ("5i", "8", "7", "cos(theta), deflection(P)", "5(5 + 4 × ⅕)/(5 × 7) = 29/35"),
+        ("5j", "8", "7", "sin(theta), deflection(P)", "5(5 + 4 × ⅕)/(5 × 7) = 29/35"),
+        ("-6i", "8", "5", "cos(theta), deflection(P)", "−6(4 × (9/16) − 6)/(6 × 5) = ¾"),
+    ],
+)
+def test_only_the_component_that_is_used_is_worked_out(
+    velocity: str, size: str, speed: str, asked: str, cosine: str
+) -> None:
+    """The velocity before is along an axis, and the speed is given."""
+    text = printed_with(
+        KICKED.format(velocity=velocity, size=size, speed=speed, asked=asked),
+        [f"cos δ = {cosine}"],
+    )
+    assert "√" not in text
+
+
+def test_a_velocity_that_is_asked_has_both_components() -> None:
+    text = printed_with(
+        KICKED.format(
+            velocity="5i", size="8", speed="7", asked="cos(theta), velocity(P), deflection(P)"
+        ),
+        ["𝐯_P = (29/5)𝐢 + (8√6/5)𝐣", "cos δ = (5 × (29/5))/(5 × 7) = 29/35"],
+    )
+    assert text.count("29/5)𝐢") == 1
+
+
+IN_PARTS = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+part a
+show tan(angle(velocity(P), W)) = e*tan(alpha)
+part b
+given tan(alpha) = {tangent}, e = {e}
+find tan(deflection(P)), speed(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("tangent", "e", "away", "along"),
+    [
+        ("1", "1/2", "√2 u/4", "√2 u/2"),
+        ("3/4", "1/3", "u/5", "4u/5"),
+        ("2", "1/8", "√5 u/20", "√5 u/5"),
+    ],
+)
+def test_components_stand_where_they_are_used(tangent: str, e: str, away: str, along: str) -> None:
+    """The deflection needs neither; what goes into one of them is named."""
+    printed_with(
+        IN_PARTS.format(tangent=tangent, e=e),
+        [
+            "By the formula for the tangent of a sum:",
+            "substituting for sin α in (2):",
+            f"component of 𝐯_P away from W = {away}",
+            "Substituting for cos α in (1):",
+            f"component of 𝐯_P parallel to W = {along}",
+            "Speed, from its components:",
+        ],
+    )

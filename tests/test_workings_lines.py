@@ -260,7 +260,7 @@ def test_angles_of_one_tangent_are_one_angle() -> None:
 
 def test_an_angle_that_is_known_by_another_name_is_that() -> None:
     text = working(SAME_TO_THE_WALL)
-    assert "W is along 𝐢, so it is the same angle: β = θ = arctan(2/3) ≈ 33.7°" in text
+    assert "W is along 𝐢, so the two angles are equal: β = θ = arctan(2/3) ≈ 33.7°" in text
     assert text.count("4/6") == 1
     text = working(SAME_TO_THE_AXIS)
     assert "the angles that its velocities make with 𝐢: δ = θ − α" in text

@@ -34,6 +34,7 @@ from restitution.planning.writing.gathering import (
 )
 from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
 from restitution.planning.writing.known_directions import with_known_directions
+from restitution.planning.writing.one_component import with_one_component
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.ratios_put_in import with_ratios_put_in
 from restitution.planning.writing.squares_together import with_squares_together
@@ -66,6 +67,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
             with_known_directions,
             with_complements,
             with_conjugates,
+            with_one_component,
         ),
         *(with_angles_of_paths, with_kept_ratios, with_one_angle, with_squares_together),
     ):

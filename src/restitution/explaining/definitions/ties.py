@@ -269,22 +269,25 @@ def between_directions(step: Step, event: Event | None) -> Iterator[Link]:
 def _by_product_and_speeds(
     step: Step, angle: Expression, one: Expression, other: Expression
 ) -> Iterator[Link]:
-    """The cosine of an angle between velocities, where a line gives their product.
+    """The cosine of an angle between velocities, where a line gives their product, or a speed.
 
-    Lines give their sizes too; one that a line does not give is that of the velocity.
+    What a line does not give is that of the velocities.
     """
     wholes = {link.left: link.right for link in whole_links(step) if link.sign == "="}
     product = next(
         (e for e in (Quantity("dot", (one, other)), Quantity("dot", (other, one))) if e in wholes),
         None,
     )
+    velocities = [tree for tree in (one, other) if isinstance(tree, Quantity)]
+    speeds = [replace(tree, kind="speed") for tree in velocities if tree.kind == "velocity"]
+    if len(speeds) < 2 or (product is None and not any(speed in wholes for speed in speeds)):
+        return
     sizes = [
-        wholes.get(replace(tree, kind="speed"), Apply("abs", tree))
-        for tree in (one, other)
-        if is_quantity(tree, "velocity")
+        wholes.get(speed, Apply("abs", tree))
+        for speed, tree in zip(speeds, velocities, strict=True)
     ]
-    if product is not None and len(sizes) == 2:
-        yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", *sizes)))
+    dot = Quantity("dot", (one, other)) if product is None else wholes[product]
+    yield Link(Apply("cos", angle), "=", Binary("/", dot, Binary("*", *sizes)))
 
 
 def _pointing(step: Step, tree: Expression) -> Expression:

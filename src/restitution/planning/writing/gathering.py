@@ -109,6 +109,7 @@ def _where_needed(derivation: Derivation) -> Derivation:
                 elsewhere
                 or line.move.id in ("triangle", "sign")
                 or line.move.record == "component"
+                or _is_a_component_put_in(line)
                 or _is_of_the_axis(line)
             )
             and items[item or ""] > items[line.item or ""]
@@ -128,6 +129,14 @@ def _where_needed(derivation: Derivation) -> Derivation:
     last = len(items)
     lines.sort(key=lambda line: items.get(line.item or "", last))
     return numbered_anew(derivation, lines)
+
+
+def _is_a_component_put_in(line: Line) -> bool:
+    """Whether a line only puts values into a component of a velocity."""
+    match line.relation:
+        case Relation(((Link(Quantity("along" | "across", (Quantity("velocity"), _)), "="),),)):
+            return line.move.id == "put"
+    return False
 
 
 def _is_of_the_axis(line: Line) -> bool:

@@ -175,7 +175,7 @@ class SourceLeads(LinesAround):
                 yield say("derived.moves", body=body, way=direction, fact=moving)
         elif facts and put and not equations:
             yield say("derived.since-put", facts=facts, letters=letters)
-        elif facts and put and len(equations) == 1:
+        elif facts and letters and len(equations) == 1:
             yield say("derived.since-put-in", facts=facts, letters=letters, equation=equations[0])
         elif facts and equations:
             yield say("derived.since-in", facts=facts, equations=equations)

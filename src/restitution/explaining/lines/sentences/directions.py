@@ -167,14 +167,14 @@ SENTENCES: Mapping[str, str] = {
         "opposite side:"
     ),
     "same.angle": (
-        "The component of {velocity} along {axis} is not negative, so it is the same angle:"
+        "The component of {velocity} along {axis} is not negative, so the two angles are equal:"
     ),
     "same.line": (
         "The line of centres is parallel to {axis}, and no component of {velocity} is negative, so "
-        "it is the same angle:"
+        "the two angles are equal:"
     ),
-    "same.parallel": "{wall} is parallel to the line of centres, so it is the same angle:",
-    "same.wall": "{wall} is along {axis}, so it is the same angle:",
+    "same.parallel": "{wall} is parallel to the line of centres, so the two angles are equal:",
+    "same.wall": "{wall} is along {axis}, so the two angles are equal:",
     "product.plain": "the scalar product",
     "product.of-a-turn": "the scalar product of the velocities before and after",
     "axes.away": (
