@@ -256,3 +256,80 @@ def test_components_stand_where_they_are_used(tangent: str, e: str, away: str, a
             "Speed, from its components:",
         ],
     )
+
+
+MIRRORS = """
+wall AB: along i
+wall BC: along 60 deg
+sphere P: mass m, velocity u at 30° to AB
+P hits AB: e = 1
+P hits BC: e = 1
+show speed(P) = u
+show angle(velocity(P), velocity(P, 0)) = 120°
+"""
+TWO_MIRRORS = """
+wall W: along i
+wall V: along j
+sphere P: mass m, velocity 3u at {angle} to W
+P hits W: e = 1
+P hits V: e = {e}
+show speed(P) = 3u
+"""
+
+
+def test_a_speed_that_walls_keep_is_shown_by_that() -> None:
+    printed_with(
+        MIRRORS,
+        [
+            "AB is perfectly elastic, so P keeps its speed:",
+            "BC is perfectly elastic, so P keeps its speed:",
+            "speed of P after the second impact = u",
+            "Angle between 𝐯₂ and 𝐮 = (√3 u/2)𝐢 − (u/2)𝐣, by the scalar product:",
+        ],
+    )
+    text = printed_with(TWO_MIRRORS.format(angle="40°", e="1"), ["V is perfectly elastic, so"])
+    assert "√" not in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "vector"),
+    [
+        (
+            (
+                "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
+                "given sin(alpha) = 3/5\nfind velocity(P), angle(velocity(P), velocity(P, 0))"
+            ),
+            "𝐮_P = (4u/5)𝐢 − (3u/5)𝐣, by",
+        ),
+        (
+            (
+                "sphere A: mass m, velocity 2u at 30°\nsphere B: mass m, velocity u j\n"
+                "A hits B: along i, e = 1/2\n"
+                "find velocity(B), cos(angle(velocity(B), velocity(A, 0)))"
+            ),
+            "𝐮_A = √3 u𝐢 + u𝐣, by",
+        ),
+    ],
+)
+def test_a_velocity_by_its_angle_is_written_out_for_a_product(statement: str, vector: str) -> None:
+    printed_with(statement, [vector])
+
+
+BACK_TO_REST = """
+wall W: along i, through (0, 3)
+sphere A: mass m, velocity 2u j, at (0, -1)
+sphere B: mass {mass}, at rest, at (0, 0)
+A hits B: along j, e = 1/2
+B hits W: e = 2/3
+B hits A
+find time(3) - time(1)
+"""
+
+
+def test_who_is_met_again_at_rest_is_said_to_stay() -> None:
+    printed_with(
+        BACK_TO_REST.format(mass="2m"),
+        ["A is at rest, so it stays where it is. Time = distance ÷ speed", "t₃ − t₂ = 3/(2u/3)"],
+    )
+    moving = printed_with(BACK_TO_REST.format(mass="3m"), ["t₃ − t₁ ="])
+    assert "stays where it is" not in moving

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.angles.turning import angle_line, is_angle
+from restitution.planning.formulas.next_walls import speed_kept
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.angles_at_ends import write_at_ends
 from restitution.planning.inequalities.claims import Claims
@@ -81,7 +82,11 @@ def write_show(
     if item.subject is not None:
         _of_subject(scene, solver, item, now, name)
         return
-    line, relation = _direction(scene, solver, item, now) or _written(scene, solver, item, now)
+    line, relation = (
+        _direction(scene, solver, item, now)
+        or _speed_kept(scene, item, now)
+        or _written(scene, solver, item, now)
+    )
     _print_form(scene, line, relation)
     scene.desk.end(name, line, relation, shown=True)
     _quotable(scene, line, relation)
@@ -118,6 +123,21 @@ def _direction(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int,
         return None
     if scene.desk.relation(line) != Relation(((link,),)):
         solver.back(standing)
+        return None
+    return line, Relation(((link,),))
+
+
+def _speed_kept(scene: Scene, item: Show, now: int) -> tuple[int, Relation] | None:
+    """The line of a speed after walls with e = 1 that is to be shown; None of all else."""
+    match item.relation:
+        case Compare((Quantity("speed", (Name(),)), _), ("=",), None):
+            (link,) = links_of(scene.problem, item.relation, now)
+        case _:
+            return None
+    mark = scene.desk.mark()
+    line = speed_kept(scene, link.left) if isinstance(link.left, Quantity) else None
+    if line is None or scene.desk.relation(line) != Relation(((link,),)):
+        scene.desk.back(mark)
         return None
     return line, Relation(((link,),))
 

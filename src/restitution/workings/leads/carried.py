@@ -42,6 +42,7 @@ _PUTTING: frozenset[SentenceId] = frozenset(
 _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "derived-between.title-of",
     "derived-between.title-turned",
+    "flight.time-to-rest",
     "flight.add",
     "flight.subtract",
     "made.fraction-lost",

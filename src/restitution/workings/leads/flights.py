@@ -50,6 +50,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         return several
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         speed = speed_of_a_flight(derivation, naming, line)
+        if (other := _stays_there(derivation, line)) is not None:
+            return say("flight.time-to-rest", body=body, other=other, speed=speed)
         return (
             say("flight.time", speed=speed)
             if one
@@ -80,6 +82,18 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
     return say("flight.same-time")
+
+
+def _stays_there(derivation: Derivation, line: Line) -> str | None:
+    """The body at rest that another one comes to, where no line is printed of its place."""
+    for own in derivation.lines_in(line.premises):
+        match own.relation:
+            case Relation(((Link(Quantity("position", (Name(other),)), "=", place), *_),)) if (
+                other not in line.move.bodies and is_of_a_body_at_rest(derivation, own)
+            ):
+                if own.shown == "silent" or (is_zero(place) and own.number not in derivation.held):
+                    return other
+    return None
 
 
 def _level_of(derivation: Derivation, line: Line, left: Expression) -> str | None:

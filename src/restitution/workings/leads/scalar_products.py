@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import (
     Event,
     Line,
     Link,
+    Meaning,
     Relation,
     equality,
 )
@@ -24,9 +25,12 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Polar,
     Quantity,
     Unit,
+    is_function,
     letters,
+    unsigned,
 )
 from restitution.planning.angles.lines_between import cosine_of
 from restitution.planning.writing.forms import swept, tree_of
@@ -94,11 +98,12 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
                     "derived-between.title-along", one=one, other=other, first=first, second=second
                 )
             sides = []
-            for velocity in pair:
-                if _stands(derivation, line, velocity):
+            for velocity, beside in (pair, pair[::-1]):
+                value = _written_out(derivation, line, velocity, beside)
+                if value is None and _stands(derivation, line, velocity):
                     sides.append(naming.layout(velocity))
                     continue
-                value = _by_components(derivation, line, velocity)
+                value = value or _by_components(derivation, line, velocity)
                 if value is None:
                     return None
                 # What only a calculator knows stands above, in figures.
@@ -186,6 +191,83 @@ def _stands(derivation: Derivation, line: Line, velocity: Expression) -> bool:
         fact.kind == "given" and any(link.left == velocity for link in fact.relation.options[0])
         for fact in derivation.facts
     )
+
+
+def _by_its_angle(derivation: Derivation, velocity: Expression) -> tuple[Vector, ...]:
+    """What a velocity of the data may be that is told by an angle, along no axis; else nothing.
+
+    With an angle to a wall that is along an axis, it goes either way along it.
+    """
+    match velocity:
+        case Quantity("velocity", (Name(body),), 0):
+            fact = derivation.fact(" ".join(("velocity", body)))
+        case _:
+            return ()
+    match None if fact is None else fact.relation.only[0].right:
+        case Polar(wall=None) as polar:
+            vectors = [in_letters(polar)]
+        case Polar(size, angle, wall=Name(wall)):
+            vectors = _beside_a_wall(derivation, wall, in_letters(size), in_letters(angle))
+        case _:
+            return ()
+    return tuple(
+        vector
+        for vector in vectors
+        if isinstance(vector, Vector) and all(tidy(part) != 0 for part in vector)
+    )
+
+
+def _beside_a_wall(
+    derivation: Derivation, wall: str, size: sp.Expr, angle: sp.Expr
+) -> list[Vector]:
+    """The velocities with which a body may come to a wall along **i** or **j**, at an angle."""
+    number = next((e.number for e in derivation.events if e.wall and e.bodies[1] == wall), None)
+    axis = derivation.fact(" ".join(("axis", str(number))))
+    into = None if axis is None else direction_by_axes(axis.relation.only[-1].right)
+    if into is None:
+        return []
+    along = into.turned_left()
+    ahead, aside = (into * (size * sp.sin(angle)), along * (size * sp.cos(angle)))
+    return [ahead + aside, ahead - aside]
+
+
+def direction_by_axes(tree: Expression) -> Vector | None:
+    """**i** or **j**, or what is opposite to one, as a vector; None of any other direction."""
+    if not isinstance(unsigned(tree), Unit):
+        return None
+    value = in_letters(tree)
+    return value if isinstance(value, Vector) else None
+
+
+def _ratios_cited(derivation: Derivation, line: Line) -> dict[sp.Expr, sp.Expr]:
+    """The sines and cosines that have a number in what a line cites."""
+    relations: list[Relation | Meaning] = [e.relation for e in derivation.lines_in(line.premises)]
+    relations += [fact.relation for fact in derivation.facts_in(line.premises)]
+    return {
+        in_letters(link.left): in_letters(link.right)
+        for relation in relations
+        if isinstance(relation, Relation) and len(relation.options) == 1
+        for link in relation.only
+        if is_function(link.left, "sin", "cos") and not letters(link.right)
+    }
+
+
+def _written_out(
+    derivation: Derivation, line: Line, velocity: Expression, other: Expression
+) -> Expression | None:
+    """A velocity that is told by an angle, by its components, which the cosine agrees with."""
+    beside = _value(derivation, line, other)
+    if beside is None or not isinstance(line.relation, Relation):
+        return None
+    cosine = in_letters(line.relation.only[-1].right)
+    ratios = _ratios_cited(derivation, line)
+    for own in _by_its_angle(derivation, velocity):
+        vector = Vector(*(sp.sympify(part, strict=True).subs(ratios) for part in own))
+        sizes = [sp.sqrt(tidy(sp.expand(x.dot(x)))) for x in (vector, beside)]
+        gap = tidy(vector.dot(beside)) / sizes[0] / sizes[1] - cosine
+        if tidy(gap.subs(dict.fromkeys(gap.free_symbols, sp.Integer(1)))) == 0:
+            return tree_of(Vector(*map(tidy, vector)))
+    return None
 
 
 def _by_components(derivation: Derivation, line: Line, velocity: Expression) -> Expression | None:

@@ -102,6 +102,9 @@ SENTENCES: Mapping[str, str] = {
     "flight.closing": "Time = gap ÷ speed at which it closes",
     "flight.time": "Time = distance ÷ {speed}",
     "flight.time-of": "Time = distance ÷ {speed}, for {body}",
+    "flight.time-to-rest": (
+        "{other} is at rest, so it stays where it is. Time = distance ÷ {speed}, for {body}"
+    ),
     "flight.speed": "speed",
     "flight.speed-along": "speed parallel to the {axis}-axis",
     "flight.speed-across-wall": "speed perpendicular to {wall}",
