@@ -333,3 +333,32 @@ def test_who_is_met_again_at_rest_is_said_to_stay() -> None:
     )
     moving = printed_with(BACK_TO_REST.format(mass="3m"), ["t₃ − t₁ ="])
     assert "stays where it is" not in moving
+
+
+LEFT_OF_THE_ANGLE = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+given angle(velocity(P), W) = alpha/{share}{more}
+find range of e
+"""
+
+
+@pytest.mark.parametrize(("share", "high"), [("3", "⅓"), ("2", "½")])
+def test_every_value_between_the_ends_of_a_range_is_taken(share: str, high: str) -> None:
+    """Both bounds hold for each angle; that they are the ends is seen as the angle goes there."""
+    between = f"and it takes every value between, as it tends to {high} as α → 0° and to 0 as α →"
+    printed_with(LEFT_OF_THE_ANGLE.format(share=share, more=""), [f"0 < e < {high}", between])
+    text = printed_with(LEFT_OF_THE_ANGLE.format(share="2", more=", alpha < 60°"), ["⅓ < e < ½"])
+    assert "every value between" not in text
+
+
+def test_a_long_fraction_of_letters_has_its_decimal() -> None:
+    """One of which a reader sees the size has none."""
+    text = (
+        "sphere A: mass 3m, velocity 2u at arcsin(3/5)\n"
+        "sphere B: mass 2m, velocity u at arcsin(4/5) from -i\n"
+        "A hits B: along i, e = 5/8\nfind energy(B) - energy(B, 0), {item}"
+    )
+    parts = ["= 81081mu²/40000 ≈ 2.03mu²", "magnitude of the impulse", "= 429mu/100"]
+    assert "429mu/100 ≈" not in printed_with(text.format(item="impulse"), parts)

@@ -389,7 +389,7 @@ def as_answer(
     """What is added to a value that was asked: its decimal, as answers have it, with its sign.
 
     Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value,
-    and to a fraction of letters only where the data have ``decimals``.
+    and to a fraction of letters only where it is long, or the data have ``decimals``.
     """
     if has_quantity(tree):
         return ()
@@ -402,6 +402,7 @@ def as_answer(
         shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
         exact = all(_is_decimal(component, _FIGURES) for component in (x, y))
     elif isinstance(value, sp.Expr):
+        decimals = decimals or _is_long_multiple(value)
         shown = lay.display(value, angle=is_measure_of_angle(tree), decimals=decimals)
         exact, place = _is_decimal(value), False
     else:
@@ -418,6 +419,18 @@ def as_answer(
         sides = (shown, shown)  # the exact form is too long for an answer
     added = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
     return ((sides[0], "="), *added) if place else added
+
+
+def _is_long_multiple(value: sp.Expr) -> bool:
+    """Whether letters have a fraction before them of which nobody sees how large it is."""
+    number, rest = value.as_coeff_Mul()
+    if not rest.free_symbols or not isinstance(number, sp.Rational) or number.is_Integer:
+        return False
+    return len(f"{abs(number.p)}{number.q}") >= _LONG
+
+
+_LONG = 8
+"""So many digits has a long fraction, above and below."""
 
 
 def _without_zeros(layout: Any) -> Any:

@@ -37,7 +37,7 @@ from restitution.workings.reasons.along_units import along_its_unit
 from restitution.workings.reasons.before_walls import walls_ahead
 from restitution.workings.reasons.definite_sums import definite_sums
 from restitution.workings.reasons.equality import equal_tangents
-from restitution.workings.reasons.every_value import every_positive_value
+from restitution.workings.reasons.every_value import between_its_ends, every_positive_value
 from restitution.workings.reasons.factors import factor_cancelled
 from restitution.workings.reasons.grounds import (
     angle_acute_by,
@@ -108,6 +108,10 @@ class Reasons(PositiveReasons):
         every = every_positive_value(self._derivation, self._roles, line)
         if every is not None:
             more = (say("derived.every-positive", angle=self._naming.layout(every)),)
+        between = between_its_ends(self._derivation, self._roles, line)
+        if between is not None:
+            goes, first, last = (self._naming.layout(tree) for tree in between)
+            more = (say("derived.every-between", angle=goes, first=first, last=last),)
         return (*map(with_acute_angles_together, self._of(line)), *more)
 
     def _of(self, line: Line) -> tuple[Sentence, ...]:

@@ -41,6 +41,10 @@ SENTENCES: Mapping[str, str] = {
     "derived.half-acute": "{bound} since {angle} is acute",
     "derived.both-acute": "{angles:and} are acute",
     "derived.every-positive": ("and it takes every positive value as {angle} goes from 0° to 90°"),
+    "derived.every-between": (
+        "and it takes every value between, as it tends to {first} as {angle} → 0° and to {last} as "
+        "{angle} → 90°"
+    ),
     "derived.so-acute": "so {angle} is acute",
     "derived.acute-by-tangent": "{bound} and so {angle} is acute",
     "derived.positive": "{letter} is positive",
