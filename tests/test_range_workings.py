@@ -441,3 +441,35 @@ find range of e
         "(1 + 4e)(5 − 4e) < 0 Dividing by 1 + 4e, which is positive as e ≥ 0: 5 − 4e < 0 e > 5/4 "
         "But e ≤ 1. So what is described cannot happen."
     ) in lines
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (
+            """
+            wall W: along i
+            sphere P: mass m, velocity u at 30° to W
+            P hits W
+            given deflection(P) > 20°
+            find range of e
+            """,
+            "δ = 30° + β M1 δ > 20°, as 0° ≤ β ≤ 90° So it always holds that δ > 20°, as is given,",
+        ),
+        (
+            """
+            sphere A: mass 2m, velocity u at 30°
+            sphere B: mass m, at rest
+            A hits B: along i
+            given angle(velocity(A), line_of_centres) > 25°
+            find range of e
+            """,
+            "β > 25°, as 0° ≤ β < 90° So it always holds that β > 25°, as is given,",
+        ),
+    ],
+)
+def test_an_angle_given_that_every_value_allows_is_derived(text: str, lines: str) -> None:
+    explanation = explain(restitution.solve(parse(text)), check=True)
+    assert explanation.warnings == ()
+    ending = " and every value of e is possible: 0 ≤ e ≤ 1"
+    assert lines + ending in " ".join(to_text(explanation).split())

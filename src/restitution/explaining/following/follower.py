@@ -378,7 +378,11 @@ class Reader:
         """
         if line.move.id == "answer" and line.move.record in ("greatest", "least"):
             return len(line.premises) > 2 and ref != line.premises[0]
-        if line.move.id != "compare" or not isinstance(ref, int):
+        if line.move.id != "compare":
+            return False
+        if any(self._says_the_same(ref, other) for other in line.premises):
+            return True
+        if isinstance(ref, str):
             return False
         if self._keeps_its_range(line, ref):
             return True
@@ -389,6 +393,19 @@ class Reader:
             and any(link.sign in _ORDERED for links in fact.relation.options for link in links)
             for fact in (self.facts[r] for r in self._under(ref) if r in self.facts)
         )
+
+    def _says_the_same(self, ref: Ref, other: Ref) -> bool:
+        """Whether one of two premises is an inequality that is given, and the other a line of it.
+
+        The line is derived without it: the fact holds anyway.
+        """
+        line, fact = (ref, other) if isinstance(ref, int) else (other, ref)
+        if not isinstance(line, int) or not isinstance(fact, str) or fact not in self.facts:
+            return False
+        own = self.facts[fact]
+        signs = {link.sign for links in own.relation.options for link in links}
+        same = own.kind == "given" and own.relation == self.lines[line].relation
+        return same and signs <= {*_ORDERED} and fact not in self._under(line)
 
     def _keeps_its_range(self, line: Line, ref: int) -> bool:
         """Whether a premise says that another coefficient is at most 1, as it has to be.

@@ -14,6 +14,7 @@ from restitution.explaining.lines.derivation import (
     Fact,
     Link,
     Move,
+    Ref,
     Relation,
     Sign,
     turned,
@@ -381,10 +382,29 @@ def _with_what_holds(claims: Claims, line: int, relation: Relation) -> int:
         return line
     desk.lines.pop()
     conditions = claims.conditions
-    lines = (conditions.holding(fact) for fact in conditions.inequalities())
-    held = [line for line in lines if line is not None]
+    held = [ref for fact in conditions.inequalities() for ref in _held_anyway(claims, fact)]
     move = Move("compare") if held else own.move
     return desk.write(move, (*held, *own.premises), relation)
+
+
+def _held_anyway(claims: Claims, fact: Fact) -> list[Ref]:
+    """The line by which a condition always holds: of itself, or derived without the fact.
+
+    Below the latter the fact is cited as well, as that line does not rest on it.
+    """
+    desk = claims.scene.desk
+    line = claims.conditions.holding(fact)
+    if line is not None or fact.kind != "given":
+        return [] if line is None else [line]
+    mark, withheld = claims.worths.mark(), desk.withheld
+    desk.withheld = withheld | {fact.id}
+    try:
+        return [claims.write(fact.relation), fact.id]
+    except NotPlannedError:
+        claims.worths.back(mark)
+        return []
+    finally:
+        desk.withheld = withheld
 
 
 def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relation) -> Relation:

@@ -443,8 +443,13 @@ class Leads(Titles):
                 above = [other for other in map(self._cited, line.premises) if other is not None]
                 worked = [o for o in above if o.move.id in ("put", "rearrange", "cancel")]
                 facts = [self._derivation.fact(str(ref)) for ref in line.premises]
+                lines = [own.relation for own in above]
+                agreed = [fact for fact in facts if fact is not None and fact.relation in lines]
                 if any(fact is not None and fact.kind == "range" for fact in facts):
                     yield say("given.data")  # what is given of the letter bounds it
+                elif agreed:
+                    given = tuple(fact_in_words(self._naming, fact) for fact in agreed)
+                    yield say("range.every-given", facts=given, letter=self._naming.layout(letter))
                 else:
                     yield self._every_value(line, letter, worked)
         for ref in line.premises if line.move.id == "compare" else ():

@@ -260,6 +260,9 @@ class Known:
         """What a fact of the statement tells; None where the words before the line say it."""
         if line.move.id == "put" or fact == compared_quantities(self._derivation, line):
             return None
+        same = line.move.id == "compare" and fact.kind == "given"
+        if same and any(own.relation == fact.relation for own in self._cited(line)):
+            return None  # a line says that it holds anyway
         signs = _signs(fact)
         motion = motion_of(fact)
         if motion is not None and (line.move.id == "reject" or line.move.record == "speed"):

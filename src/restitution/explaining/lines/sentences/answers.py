@@ -8,6 +8,9 @@ SENTENCES: Mapping[str, str] = {
     "range.every": "So every value of {letter} is possible:",
     "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
+    "range.every-given": (
+        "So it always holds that {facts:and}, as is given, and every value of {letter} is possible:"
+    ),
     "range.every-holds-as": (
         "This always holds, as {bounds:and}, so every value of {letter} is possible:"
     ),
