@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -609,3 +610,28 @@ find maximum of angle(velocity(P), velocity(P, 0)) over alpha
     ).items()
     assert not item.answers[0].reached
     assert item.answers[0].display == "180° approached as α → 0° or α → 90°"
+
+
+@pytest.mark.parametrize(("angle", "mass"), [(27, 3), (33, 2)])
+def test_both_speeds_at_angles_with_surds_have_a_range(angle: int, mass: int) -> None:
+    text = f"""
+sphere A: mass {mass}, velocity 5 at {angle}° from -i
+sphere B: mass 1, velocity 2 at 120° from -i
+A hits B: along -i
+given speed(B) > speed(A)
+find range of e
+"""
+    ((_, item),) = solve(parse(text)).items()
+    (own,) = item.distinct
+
+    def excess(e: float) -> float:
+        a, b = 5 * math.cos(math.radians(angle)), -1.0
+        common, approach = (mass * a + b) / (mass + 1), a - b
+        one = common - e * approach / (mass + 1)
+        other = common + mass * e * approach / (mass + 1)
+        across = 5 * math.sin(math.radians(angle)), math.sqrt(3)
+        return math.hypot(other, across[1]) - math.hypot(one, across[0])
+
+    assert own.value.end == 1
+    assert excess(float(own.value.start)) == pytest.approx(0, abs=1e-9)
+    assert excess(1) > 0

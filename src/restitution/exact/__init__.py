@@ -8,6 +8,7 @@ from restitution.exact.orientation import forward
 from restitution.exact.plain_angles import merged
 from restitution.exact.quotients import reduced_over_surds
 from restitution.exact.rounding import decimal, significant
+from restitution.exact.rules_of_cosines import mend_rules_of_cosines
 from restitution.exact.simplicity import cost
 from restitution.exact.surds import rationalised, root_is_nested
 from restitution.exact.textbook import tidy
@@ -37,3 +38,5 @@ __all__ = [
     "tidy",
     "tidy_angle",
 ]
+
+mend_rules_of_cosines()
