@@ -138,6 +138,7 @@ class Following(OwnValues):
             or self._under_own_condition(line, link)
             or self._of_own_speeds(line, link)
             or self._by_opposite_impulse(line, link)
+            or self._by_momentum_of_vectors(line, link)
             or self._of_later_event(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)

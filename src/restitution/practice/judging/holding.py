@@ -52,7 +52,7 @@ from restitution.practice.judging.other_forms import (
     times_sizes,
     with_units,
 )
-from restitution.practice.letters.options import staged
+from restitution.practice.letters.options import is_angle_to_a_wall, staged
 from restitution.practice.reading.phrase_names import (
     event_of,
     is_phrase,
@@ -431,6 +431,8 @@ class Holding:
             trees = read_phrase(phrase, world.problem, event, world.now())
             if event is not None and trees and _is_of_an_event(trees[0]):
                 first = 1  # no deflection of the second impact is that of the first
+            if event is None and trees and is_angle_to_a_wall(trees[0], world.problem):
+                first = max(first, world.first_stage)  # what is before is another part's
             every = range(first, world.now() + 1)
             stages = list(every) if event is None else [event, event - 1][: 2 - first]
             meanings = [

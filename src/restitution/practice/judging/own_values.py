@@ -41,12 +41,20 @@ from restitution.practice.judging.other_forms import (
     label_in,
 )
 from restitution.practice.judging.own_numbers import OwnNumbers
+from restitution.practice.judging.vector_momentum import (
+    are_vectors,
+    is_plain_vector,
+    momentum_of,
+    spheres_that_meet,
+    velocity_after,
+    with_momentum_kept,
+)
 from restitution.practice.judging.written_laws import with_written_law
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import same_size
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.relations import worked_out
-from restitution.practice.script import Claim, ScriptLine
+from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import facts_of, student_world
 from restitution.practice.worlds.turning import with_line_at
@@ -352,6 +360,33 @@ class OwnValues(Holding):
             return all(same_size(true, world.value(meant)) for world in self.students())
         except RestitutionError:
             return False
+
+    def _by_momentum_of_vectors(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line of vectors in which momentum is kept, with his own velocity of one sphere.
+
+        The components by which he came to that velocity need not agree with it.
+        """
+        meanings = self.meanings(line.number)
+        for event, first, second in spheres_that_meet(self._base) if self.wrong else ():
+            for body, other in ((first, second), (second, first)):
+                own = self._own_value(velocity_after(body, event))
+                if own is None or own.right or own.claim.others:
+                    continue
+                world = with_momentum_kept(self._base, event, (body, other), own)
+                if world is None:
+                    continue
+                for claim in link.readings:
+                    if not are_vectors(claim, world, meanings):
+                        continue
+                    grade = self.accuracy(claim, world, line, link)
+                    if grade is not None:
+                        law = (
+                            None
+                            if is_plain_vector(claim.right)
+                            else momentum_of(event, body, other)
+                        )
+                        return JudgedLink("follows", claim, grade, (own.number,), right=law)
+        return None
 
     def _own_value(self, quantity: Expression) -> Entry | None:
         """The last line that gives a quantity a value."""

@@ -44,6 +44,7 @@ from restitution.practice.letters.options import (
     Usage,
     directions,
     elsewhen,
+    is_angle_to_a_wall,
     is_direction,
     is_impulse,
     multiples,
@@ -242,6 +243,12 @@ class _Search(LettersOfLines):
                 own.sort(key=lambda tree: tree not in around.asked)
             last = around.world.now()
             stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
+            if scope.event is None and any(
+                is_angle_to_a_wall(tree, around.problem) for tree in own
+            ):
+                stages = range(
+                    around.world.first_stage, last + 1
+                )  # what is before is another part's
             other = () if is_relative(name) else elsewhen(name, own, stages)
             every = [*map(self._in_its_sense, of_trees(own)), *other]
             return [*every, *scaled(every, self.directions)]

@@ -68,8 +68,11 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         kinds = ("time",)
     if usage.dotted:
         kinds = ("direction",) if is_direction(usage.letter) else ("velocity",)
+    struck = _events_of_the_impulse(usage, candidates)
     for candidate in candidates:
         if barred(usage, candidate):
+            continue
+        if struck and candidate.kind == "impulse" and candidate.event not in struck:
             continue
         strange = candidate.kind not in kinds
         if strange and (usage.in_angle or not (candidate.varies or candidate.asked)):
@@ -85,6 +88,13 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
             place = -candidate.cost  # where two meet both are: the one that is asked is meant
         extra += place + _by_scope(usage.scope, candidate) + _by_axis(usage.letter, candidate)
         yield replace(candidate, cost=max(0.0, min(1.0, candidate.cost + extra)))
+
+
+def _events_of_the_impulse(usage: Usage, candidates: Iterable[Candidate]) -> set[int | None]:
+    """The events of the impulses that are asked, where I without a suffix stands for one."""
+    if usage.letter not in ("I", "J") or usage.scope.event is not None:
+        return set()
+    return {x.event for x in candidates if x.kind == "impulse" and x.asked}
 
 
 def _is_of_velocities(letter: str) -> bool:
@@ -405,6 +415,14 @@ def elsewhen(words: str, trees: Iterable[Expression], stages: Iterable[int]) -> 
             moved = _moved(tree, stage)
             if moved != tree:
                 yield replace(_of_tree(moved, 0.5), cost=0.6)
+
+
+def is_angle_to_a_wall(tree: Expression, problem: Problem) -> bool:
+    """Whether a quantity is an angle to a wall that has a name."""
+    walls = {wall.name for wall in problem.walls}
+    return is_quantity(tree, "angle") and any(
+        isinstance(argument, Name) and argument.name in walls for argument in tree.arguments
+    )
 
 
 def _moved(tree: Expression, stage: int) -> Expression:

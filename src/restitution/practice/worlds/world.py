@@ -17,7 +17,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Expression, Name
+from restitution.expression.tree import Expression, Name, Quantity, is_quantity, walk
 from restitution.practice.script import ANYWHERE, Scope
 from restitution.practice.worlds import effort
 from restitution.practice.worlds.arrays import Array, UnvaluedError
@@ -30,7 +30,7 @@ from restitution.practice.worlds.telling import (
     Telling,
 )
 from restitution.practice.worlds.turning import turned, unit
-from restitution.problem import Impact, Part
+from restitution.problem import Impact, Item, Part
 from restitution.records import dataclass
 from restitution.shapes import Circle
 from restitution.solving.story.forward import Story
@@ -64,6 +64,23 @@ class World(SampledMotion):
         """The number of events before the last question of the part."""
         asked = [now for _, now in self.problem.asked(self.part)]
         return max(asked, default=len(self.events))
+
+    @cached_property
+    def first_stage(self) -> int:
+        """The number of events of earlier parts, where the part has events of its own.
+
+        None of them counts where the part asks for what they do as well: a deflection in all.
+        """
+        if not self.part.events or self.part not in self.problem.parts:
+            return 0
+        earlier = self.problem.parts[: self.problem.parts.index(self.part)]
+        first = sum(len(part.events) for part in earlier)
+        for item, _ in self.problem.asked(self.part):
+            for node in walk(item.expression) if isinstance(item, Item) else ():
+                stage = node.stage if isinstance(node, Quantity) else None
+                if is_quantity(node, "deflection") or (isinstance(stage, int) and stage < first):
+                    return 0
+        return first
 
     def wall_impacts(self) -> Iterator[tuple[int, str]]:
         """The impacts with walls, each with its sphere."""
