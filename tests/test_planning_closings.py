@@ -126,7 +126,7 @@ A hits B: along i
 given deflection(A) = 15°
 find e, speed(A)
 """,
-        ("e = (4 tan 65° − 7 tan 50°)/(3 tan 65°) ≈ 0.0366", "≈ 5.07 m s⁻¹"),
+        ("v = (6 sin 50°)/tan 65° ≈ 2.143", "e ≈ 0.0366", "≈ 5.07 m s⁻¹"),
     ),
     "a mass by whole degrees without surds": (
         """

@@ -254,6 +254,18 @@ def test_each_case_of_an_earlier_part_tells_what_follows_from_it() -> None:
     assert "with w ≈ 1.131 m s⁻¹ from part (a): speed of B ≈ 1.13 m s⁻¹" in own
 
 
+def test_cases_of_a_given_fact_stand_in_each_part_in_which_it_is_given() -> None:
+    parts = worked(
+        "sphere A: mass m, velocity i + 4j\nsphere B: mass 5m, velocity -5i + j\n"
+        "A hits B: along j\npart a\ngiven angle(velocity(A), line_of_centres) = 45°\nfind e\n"
+        "part b\ngiven angle(velocity(A), line_of_centres) = 45°\nfind speed(B)\n"
+    )
+    own = parts["b"]
+    assert own.count("If v = −1:") == own.count("If v = 1:") == 1
+    # What holds in both cases stands above them.
+    assert own.index("stays −5 m s⁻¹") < own.index("If v = −1:")
+
+
 def test_no_case_works_out_once_more_by_what_it_is_told() -> None:
     parts = worked(
         "sphere A: mass m, velocity 5u i + 3u j\nsphere B: mass k m, at rest\n"

@@ -30,6 +30,33 @@ sphere B: mass m, at rest
 A hits B: along i
 show speed(A) < u
 """
+SEVENTY_FIVE = """
+wall W: along i
+sphere P: mass m, velocity u at 75° to W
+P hits W
+given angle(velocity(P), W) = 45°
+"""
+FIFTEEN_TO_THE_LINE = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass m, at rest
+A hits B: along 30°, e = 1/2
+find speed(A)
+"""
+BY_THE_CHANGE = """
+sphere A: mass 2, velocity 4i + 2j
+sphere B: mass 3, velocity -i + j
+A hits B
+given velocity(A) = i + j
+find velocity(B), e
+"""
+BEFORE_A_NEARER_WALL = """
+wall W: along i
+sphere P: mass 3, velocity 5 at 22.5° to W
+P hits W: e = e
+find deflection(P), energy_lost in terms of e
+given energy_lost < 2
+find range of e
+"""
 SUM_OF_SQUARES = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass 3m, at rest
@@ -263,6 +290,12 @@ SAYS = [
     # u² − (2 − e)²u² cos²α/9 − u² sin²α = (1 + e)(5 − e)u² cos²α/9
     (SLOWER_THAN_BEFORE, "u² − (speed of A)² = (1/9)(1 + e)(5 − e)u² cos²α"),
     (SLOWER_THAN_BEFORE, "speed of A < u, as α is acute and 0 ≤ e ≤ 1 (as required)"),
+    (SEVENTY_FIVE + "find e", "= (eu sin 75°)/(u cos 75°) = e tan 75° DM1 e = 1/tan 75° ≈ 0.268"),
+    (SEVENTY_FIVE + "show e = 2 - sqrt(3)", "e = 1/tan 75° = 2 − √3 (as required)"),
+    (FIFTEEN_TO_THE_LINE, "= √((¼u cos 15°)² + (u sin 15°)²) ≈ 0.354u"),
+    (BY_THE_CHANGE, "is parallel to (𝐢 + 𝐣) − (4𝐢 + 2𝐣) = −3𝐢 − 𝐣 M1"),
+    (BEFORE_A_NEARER_WALL, "= 22.5° + β = 22.5° + arctan(e tan 22.5°) M1"),
+    (BEFORE_A_NEARER_WALL, "= (75/2)(1 − e²) sin² 22.5° J"),
     (SUM_OF_SQUARES, "as sin²α < 1 and α is acute"),
     (NO_GREATEST, "as k/(1 + k) = 1 − 1/(1 + k) < 1 and α is acute"),
     # v > (3 − e)u/(1 + e), which is u for e = 1
@@ -275,7 +308,7 @@ SAYS = [
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
     (TURNED_AND_SLOWED, "e = ¾ Substituting in (2): cos²α = ¾ sin²α tan²α = 4/3"),
-    (EQUAL_SPEEDS, "2e − 1 = ±(1 + 4e) DM1 e = 0 or e = −1"),
+    (EQUAL_SPEEDS, "v + u cos α = ±2v v = −⅓u cos α or v = u cos α"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),
@@ -286,7 +319,7 @@ SAYS = [
     (BY_CALCULATOR, "tan θ ≈ −(u sin 50°)/(2.005u) ≈ −0.3820 M1 θ ≈ −arctan 0.3820, as w > 0"),
     (OFF_FROM_REST, "angle between 𝐯_Q and 𝐢 = φ It is given that"),
     (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
-    (VECTORS_AND_ENERGY, "is parallel to −8u𝐢 − 4u𝐣"),
+    (VECTORS_AND_ENERGY, "(−3u𝐢 − 2u𝐣) − (5u𝐢 + 2u𝐣) = −8u𝐢 − 4u𝐣"),
     (VECTORS_AND_ENERGY, "m(5u𝐢 + 2u𝐣) + 4m(u𝐢 − 3u𝐣) = m(−3u𝐢 − 2u𝐣) + 4m𝐯_A"),
     (VECTORS_AND_ENERGY, "Kinetic energy: (iii) kinetic energy lost"),
     (TIED_BY_COSINES, "As sin² + cos² = 1: 12 cos α cos β = 1"),

@@ -913,7 +913,7 @@ def test_a_tangent_is_no_factor_that_is_gone() -> None:
                 "wall W: along j\nsphere P: velocity u at 90° - theta to W\nP hits W\n"
                 "given angle(velocity(P), W) = 90° - 2theta\nshow e = tan(theta)/tan(2theta)"
             ),
-            "By the complement of the angle: e = (tan θ)/tan 2θ",
+            "By the complement of the angle: 1/tan 2θ = e/tan θ DM1 e = (tan θ)/tan 2θ",
         ),
         (
             (

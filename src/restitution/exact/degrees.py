@@ -1,7 +1,8 @@
 """Cosine and sine of multiples of π that stay as they are: cos 42° and no nested roots.
 
 SymPy writes those of 36°, 42° and of other multiples of 3° by roots within roots. Nobody reads
-these, and to bring them into their usual form takes seconds: only multiples of 15° have surds.
+these, and to bring them into their usual form takes seconds: only multiples of 30° and 45° have
+surds. Those of 15° and 75° are sums of two, which nobody reads either.
 """
 
 from __future__ import annotations
@@ -12,7 +13,9 @@ from typing import Any
 import sympy
 from sympy import Expr, Rational
 
-_STEPS = 12
+_STANDARD = (1, 2, 3, 4, 6)
+"""The denominators of multiples of π that have surds."""
+
 _RIGHT = Fraction(1, 2)
 
 # They bear the names of SymPy's, by which it prints and computes them.
@@ -72,7 +75,7 @@ def tangent(angle: Expr) -> Expr:
     """The tangent of an angle; a multiple of π stays as it is."""
     own = sympy.tan(angle)
     turns = turns_of(angle)
-    if turns is None or not turns or _STEPS % turns.denominator == 0 or own.has(sympy.tan):
+    if turns is None or not turns or is_standard(turns) or own.has(sympy.tan):
         return own
     return tan(angle)
 
@@ -100,6 +103,11 @@ def sine_beside(x: Expr) -> Expr | None:
     return (sin if isinstance(x, cos) else sympy.sin)(x.args[0])
 
 
+def is_standard(turns: Fraction) -> bool:
+    """Whether a multiple of π has a table's ratios, as 30° and 45° have."""
+    return turns.denominator in _STANDARD
+
+
 def turns_of(angle: Expr) -> Fraction | None:
     """An angle as a multiple of π; None where it is no rational one."""
     turns = angle / sympy.pi
@@ -109,9 +117,18 @@ def turns_of(angle: Expr) -> Fraction | None:
 def _ratio(function: type[sympy.sin | sympy.cos], turns: Fraction) -> Expr:
     angle = Rational(turns.numerator, turns.denominator) * sympy.pi
     own = function(angle)
-    if isinstance(own, sympy.sin | sympy.cos) or _STEPS % turns.denominator == 0:
+    if isinstance(own, sympy.sin | sympy.cos) or is_standard(turns):
         return own
     return cos(angle) if function is sympy.cos else sin(angle)
 
 
-__all__ = ["cosine", "function_of", "sine", "sine_beside", "tangent", "turns_of", "with_ratio"]
+__all__ = [
+    "cosine",
+    "function_of",
+    "is_standard",
+    "sine",
+    "sine_beside",
+    "tangent",
+    "turns_of",
+    "with_ratio",
+]

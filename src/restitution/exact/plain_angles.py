@@ -71,6 +71,9 @@ def _of_number(value: Expr) -> Expr:
     """A number, where its merged form is shorter."""
     if not has_plain_angles(value):
         return value
+    in_roots = _in_roots(value)
+    if in_roots is not None and node_count(in_roots, 2 * _TERMS) < node_count(value, 2 * _TERMS):
+        return in_roots
     try:
         cosines = _cosines(value)
     except _OtherError:
@@ -78,6 +81,7 @@ def _of_number(value: Expr) -> Expr:
     form = _in_ratios_of(value, Add(*_classes(cosines)))
     own = _acute_angles(value)
     other = form.is_Add if len(own) > 1 else bool(_acute_angles(form) - own)
+    other = other or not _roots(form) <= _roots(value)  # sin² 15° is not (2 − √3)/4
     if other and not _is_linear(value):
         return value  # 16 sin² 35° − 3, and not 5 − 8 sin 20°
     shorter = node_count(form, 2 * _TERMS) < node_count(value, 2 * _TERMS)
@@ -103,6 +107,23 @@ def _acute_angles(value: Expr) -> set[Fraction]:
     """
     turns = (_turns(sine.args[0]) % _RIGHT for sine in value.atoms(sympy.sin, sympy.cos))
     return {min(turn, _RIGHT - turn) for turn in turns}
+
+
+def _in_roots(value: Expr) -> Expr | None:
+    """A number with roots beside ratios of 15° or 75°, with roots for these: (√6 − √2) sin 15°.
+
+    None of another number.
+    """
+    ratios = value.atoms(sympy.sin, sympy.cos)
+    if not _roots(value) or any(_turns(ratio.args[0]).denominator != 12 for ratio in ratios):
+        return None
+    put = {ratio: degrees.function_of(ratio)(ratio.args[0]) for ratio in ratios}
+    return tidy_number(sympy.expand(value.xreplace(put)))
+
+
+def _roots(value: Expr) -> set[Expr]:
+    """The roots of numbers in a number."""
+    return {power for power in value.atoms(Pow) if power.exp == S.Half}
 
 
 def _is_linear(value: Expr) -> bool:
@@ -203,6 +224,8 @@ def _classes(cosines: _Cosines) -> list[Expr]:
         sign = 1
         if 2 * rest > _STEP:  # cos α = cos(−α)
             rest, sign = _STEP - rest, -1
+        if not rest and not degrees.is_standard(turns):
+            rest = _STEP  # cos 75° by cos 15° and sin 15°, and not by roots
         further = _radians(sign * turns - rest)
         # cos(ρ + φ) = cos ρ cos φ − sin ρ sin φ
         a, b = classes.get(rest, (S.Zero, S.Zero))

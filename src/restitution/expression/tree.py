@@ -461,6 +461,11 @@ EXACT_ANGLE = 15
 """Degrees: multiples of it have ratios made of roots."""
 
 
+def has_standard_ratios(degrees: Fraction) -> bool:
+    """Whether pupils know the ratios of an angle by heart: those of 30° and 45°, not of 15°."""
+    return not degrees % 30 or not degrees % 45
+
+
 def quantities_in(tree: Expression) -> Iterator[Quantity]:
     """The quantities in an expression, outer ones first, as often as they stand in it."""
     return (node for node in walk(tree) if isinstance(node, Quantity))

@@ -21,10 +21,22 @@ def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
         if len(drafts) > 1 and parted:
             drafts[0].forget(min(parted))
         return drafts[0]
+    for draft in drafts:
+        draft.splits = _splits_in_use(before, draft)
     desk = _joined(before, drafts, 0)
     if len(drafts) > 1:
         desk.forget(min(split[0] for draft in drafts for split in draft.splits[:1]))
     return desk
+
+
+def _splits_in_use(before: Desk, draft: Desk) -> tuple[tuple[int, int], ...]:
+    """The splits of a draft without those of an earlier part on which no new line rests."""
+    new = [line.number for line in draft.lines[len(before.lines) :]]
+    return tuple(
+        split
+        for split in draft.splits
+        if split[0] > len(before.lines) or any(split[0] in draft.under(n) for n in new)
+    )
 
 
 def _same(one: Desk, other: Desk) -> bool:
@@ -127,7 +139,8 @@ def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) 
 def _added(desk: Desk, draft: Desk, split: int, start: int) -> dict[int, int]:
     """Adds the lines of one solution from a start on; returns their new numbers by the old."""
     numbers: dict[int, int] = {}
-    for line in draft.lines[start:]:
+    # What holds in all cases stands before the first of them.
+    for line in sorted(draft.lines[start:], key=lambda line: split in draft.under(line.number)):
         premises = tuple(_renumbered(premise, numbers) for premise in line.premises)
         again = None
         if split not in draft.under(line.number):

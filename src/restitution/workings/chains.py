@@ -200,6 +200,8 @@ class Chains:
             return Row((operand(sense),), ())
         if words is not None:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
+            if links[1:]:  # a vector that is worked out in the same line
+                right = self._naming.relation(Relation((links[1:],)))
             return Row((operand(say(words, left=left, right=right)),), ())
         return None
 
@@ -208,7 +210,7 @@ class Chains:
         trees = [links[0].left, *(link.right for link in links)]
         # Of a range it stands between its bounds.
         subject = trees[1] if isinstance(as_decimal(trees[0]), Number) else trees[0]
-        if self._measures.decimals and self._measures.unit(subject):
+        if self._measures.is_in_decimals(subject):
             trees = [terms_as_decimals(as_decimal(tree)) for tree in trees]
         trees = list(map(self._measures.with_decimals, trees))
         match links[0]:

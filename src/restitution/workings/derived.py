@@ -54,6 +54,7 @@ from restitution.workings.lines_together import (
     before_their_line,
     first_under_its_heading,
     impact_of_a_value,
+    is_worked_out_below,
     resolved_with,
 )
 from restitution.workings.naming.bold_letters import Used
@@ -261,7 +262,7 @@ class _Writer:
             if lets and not before_their_line(lets, shown[index:]):
                 yield from self._letters(lets)
                 lets = []
-            if line.shown == "inline":
+            if line.shown == "inline" or is_worked_out_below(shown, index):
                 waiting.append(line)
                 continue
             after = shown[index + 1] if index + 1 < len(shown) else None
@@ -274,7 +275,8 @@ class _Writer:
                 step = self._unchanged(together)
             else:
                 yield from self._places_before(line)
-                given = self.leads.given_before(line)
+                laws = [own for own in waiting if own.move.id == "law"]
+                given = tuple(e for own in (*laws, line) for e in self.leads.given_before(own))
                 step = self._step(line, waiting)
                 waiting = []
             introduced = self.naming.introduced()
@@ -555,7 +557,7 @@ class _Writer:
     def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
         # What goes on in the same chain has no words of its own.
-        head = next((line for line in waiting if line.move.id == "define"), line)
+        head = next((line for line in waiting if line.move.id in ("define", "law")), line)
         given = self.leads.given(head)
         title = None if given else self.leads.title(head)
         spoken = [

@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import takewhile
 
+import sympy as sp
+
 from restitution.explaining.lines.derivation import Line, Link, Meaning, Relation
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Letter, Quantity, is_quantity, letters, walk
+from restitution.vector import Vector
 
 
 def first_under_its_heading(
@@ -58,6 +62,25 @@ def resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
             if line.move.record != "component" or line.move.event != first.move.event:
                 return
             yield line
+
+
+def is_worked_out_below(lines: Sequence[Line], index: int) -> bool:
+    """Whether the next line works out the vector to which a line of centres is parallel.
+
+    Both then are one line: *parallel to (𝐢 + 𝐣) − (4𝐢 + 2𝐣) = −3𝐢 − 𝐣*.
+    """
+    line, below = lines[index], lines[index + 1 : index + 2]
+    match line.relation, *(own.relation for own in below):
+        case (
+            Relation(((Link(Quantity("line_of_centres") as one, "parallel to", first),),)),
+            Relation(((Link(other, "parallel to", last),),)),
+        ) if one == other and (line.move.id, below[0].move.id) == ("law", "rearrange"):
+            a, b = in_letters(first), in_letters(last)
+            if not (isinstance(a, Vector) and isinstance(b, Vector)):
+                return False
+            is_same = all(sp.expand(x - y) == 0 for x, y in zip(a, b, strict=True))
+            return is_same and below[0].premises == (line.number,)
+    return False
 
 
 def before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:

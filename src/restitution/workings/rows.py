@@ -213,7 +213,8 @@ class Rows(Chains):
             assert isinstance(line.relation, Relation)
             before = line.relation.options[0]
             if before[0].left == whole[0].left:
-                first = Link(before[-1].right, whole[0].sign, whole[0].right, whole[0].by)
+                sign = "=" if whole[0].sign == "parallel to" else whole[0].sign
+                first = Link(before[-1].right, sign, whole[0].right, whole[0].by)
                 whole = [*before, first, *whole[1:]]
             else:
                 whole = [*before, *whole]

@@ -17,13 +17,13 @@ from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
-    EXACT_ANGLE,
     Apply,
     Binary,
     Degrees,
     Expression,
     Letter,
     Negate,
+    has_standard_ratios,
     is_binary,
     is_zero,
     letters,
@@ -107,7 +107,9 @@ def _tangents(
     inside = {symbol for side in sides for symbol in symbols_in(side)} - set(symbols)
     own: list[sp.Expr] = [symbol for symbol in inside if symbol.name in names]
     own += [
-        _in_radians(size) for size in names if isinstance(size, Fraction) and size % EXACT_ANGLE
+        _in_radians(size)
+        for size in names
+        if isinstance(size, Fraction) and not has_standard_ratios(size)
     ]
     return {angle: sp.Symbol(f"tan {angle}", positive=True) for angle in own}
 

@@ -72,10 +72,7 @@ def without_equal_squares(scene: Scene, line: int) -> int:
     for (own, left), (other, right) in pairs:
         match left, right:
             case Binary("^", one, power), Binary("^", two, exponent) if (
-                own == other
-                and power == exponent == TWO
-                and not isinstance(one, Letter)
-                and not isinstance(two, Letter)  # a component, of which the root has two signs
+                own == other and power == exponent == TWO
             ):
                 break
     else:
@@ -83,6 +80,8 @@ def without_equal_squares(scene: Scene, line: int) -> int:
     first = scene.judge.write((Move("rearrange"),), (line,), chain(left, (right, None)))
     if first is None:
         return line
+    if isinstance(one, Letter) or isinstance(two, Letter):
+        return first  # a component, of which the root has two signs
     known = background(scene, letters(one) | letters(two))
     relation = chain(one, (two, None))
     return scene.judge.write((Move("rearrange"),), (first, *known), relation) or first

@@ -55,6 +55,7 @@ from restitution.planning.writing.degrees import (
     angle_to_the_line,
     by_degrees,
     by_the_angle_from,
+    has_standard_angles,
     on_a_chord_by_degrees,
     share_by_degrees,
 )
@@ -112,6 +113,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
         form = by_degrees(scene, kind, body, frame, value)
+        if form is not None and not has_standard_angles(form):
+            value = tidy(scene.scalar(form))  # u sin 15°, in which no roots are to be seen
         form = form or by_the_angle_of_the_line(scene, kind, body, frame)
         in_a_line = frame.write is not None or not is_polar(scene, body)
         # Who moves along the line of centres, by its angle, has its speed as its component.

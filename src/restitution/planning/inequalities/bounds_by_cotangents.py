@@ -18,7 +18,6 @@ from restitution.explaining.lines.derivation import (
     equality,
 )
 from restitution.expression.tree import (
-    EXACT_ANGLE,
     RIGHT_ANGLE,
     Apply,
     Binary,
@@ -27,6 +26,7 @@ from restitution.expression.tree import (
     Letter,
     Quantity,
     Unit,
+    has_standard_ratios,
     unsigned,
 )
 from restitution.planning.angles.quantities import formula
@@ -130,7 +130,7 @@ def by_cotangents(worths: Worths, bound: Bound, angle: Quantity) -> Bounded | No
 
 def _is_beyond_the_table(angle: Degrees) -> bool:
     """Whether an obtuse angle has a cotangent that only a calculator knows: cot 110°."""
-    return angle.value > RIGHT_ANGLE.value and bool(angle.value % EXACT_ANGLE)
+    return angle.value > RIGHT_ANGLE.value and not has_standard_ratios(angle.value)
 
 
 def cotangent_line(scene: Scene, angle: Quantity, letter: str, let: Ref) -> int | None:

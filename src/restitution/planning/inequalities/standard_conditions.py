@@ -202,7 +202,11 @@ def as_quadratic(
         return line
     turned = poly.LC().could_extract_minus_sign()
     link = Link(sides[0], FLIPPED[sign] if turned else sign, sides[1])
-    written = worths.judge.write(_MOVES, [line, *known], Relation(((link,),)))
+    relation = Relation(((link,),))
+    above = worths.judge.standing(relation)
+    if above is not None and above < line:
+        return line  # it has the factors of that
+    written = worths.judge.write(_MOVES, [line, *known], relation)
     return line if written is None else written
 
 

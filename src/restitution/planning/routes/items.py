@@ -361,7 +361,9 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
     line = _line_of(scene, asked, known)
     relation = scene.desk.relation(line)
     if len(relation.options) == 1:
-        relation = chain(asked, (tree_of(known.value), None))
+        stands = relation.only[0].left == asked and {link.sign for link in relation.only} == {"="}
+        right = relation.only[-1].right if stands else tree_of(known.value)
+        relation = chain(asked, (right, None))
     scene.desk.end(name, line, relation)
 
 

@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Polar,
+    has_standard_ratios,
     letters,
     walk,
 )
@@ -206,6 +207,11 @@ def by_the_angle_from(
     return None
 
 
+def has_standard_angles(tree: Expression) -> bool:
+    """Whether all angles in degrees that a tree has are those of the table, as 30° and 45°."""
+    return all(has_standard_ratios(node.value) for node in walk(tree) if isinstance(node, Degrees))
+
+
 def angles_in(tree: Expression) -> set[Expression]:
     """The angles in degrees that a tree has."""
     return {node for node in walk(tree) if isinstance(node, Degrees)}
@@ -267,6 +273,7 @@ __all__ = [
     "angles_in",
     "by_degrees",
     "by_the_angle_from",
+    "has_standard_angles",
     "on_a_chord_by_degrees",
     "reference_of",
     "share_by_degrees",

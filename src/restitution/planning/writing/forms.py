@@ -159,10 +159,12 @@ def _tree_of(own: sp.Expr, angle: bool, as_it_is: bool) -> Expression:
     if own.has(sp.zoo, sp.nan):
         raise UnwrittenError(own)
     if angle and own.has(sp.pi) and own.free_symbols:
-        own, as_it_is = (
-            sp.expand_mul(own, deep=False),
-            True,
-        )  # 90° − α, and no fraction with π above
+        # 90° − α, and no fraction with π above
+        own, as_it_is = sp.expand_mul(own, deep=False), True
+        inverses = own.atoms(sp.asin, sp.acos, sp.atan)
+        own = own.xreplace(
+            {inverse: inverse.func(*map(neat, inverse.args)) for inverse in inverses}
+        )
     own = own if as_it_is else neat(own)
     names = {_parted(symbol.name): symbol.name for symbol in own.free_symbols}
     return _from_layout(lay.from_sympy(own, degrees=angle), names)

@@ -12,7 +12,7 @@ from fractions import Fraction
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
 from restitution.explaining.lines.trees import exchanged, of_relation, rebuilt, trees_of
-from restitution.expression.tree import EXACT_ANGLE, Apply, Degrees, Expression, walk
+from restitution.expression.tree import Apply, Degrees, Expression, has_standard_ratios, walk
 from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
 
@@ -80,7 +80,7 @@ def _angles(trees: Iterable[Expression]) -> Iterator[Fraction]:
     for tree in trees:
         for node in walk(tree):
             match node:
-                case Apply("sin" | "cos", Degrees(size)) if size % EXACT_ANGLE:
+                case Apply("sin" | "cos", Degrees(size)) if not has_standard_ratios(size):
                     yield size
 
 

@@ -13,13 +13,13 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
-    EXACT_ANGLE,
     Apply,
     Degrees,
     Expression,
     Letter,
     Number,
     Quantity,
+    has_standard_ratios,
     is_binary,
     is_function,
     letters,
@@ -174,7 +174,7 @@ class Tester:
             column = column_of(side)
             if column is not None and isinstance(side, Number | Degrees):
                 whole = side.value.denominator == 1 and side.value not in self.exact
-                if whole and side.value % EXACT_ANGLE and column not in ends:
+                if whole and not has_standard_ratios(side.value) and column not in ends:
                     ends[-column] = np.float64(side.value + Fraction(1, 2))
         return ends
 

@@ -270,6 +270,16 @@ class LinesAround:
 
     def _came_along(self, line: Line) -> Sentence | None:
         """That the angle of deflection is one to an axis, as the body came along that."""
+        sense = self._sense_before(line)
+        if sense is None:
+            return None
+        (body,) = line.move.bodies
+        late = Quantity("velocity", (Name(body),), line.move.event)
+        velocity, axis = map(self._naming.layout, (late, sense))
+        return say("turned.from-axis", body=body, axis=axis, velocity=velocity)
+
+    def _sense_before(self, line: Line) -> Expression | None:
+        """The axis along which the data have a body come to its first impact, with its sense."""
         (body,) = line.move.bodies
         events = [n for n, event in self._naming.events.items() if body in event.bodies]
         if line.move.event != min(events):
@@ -281,11 +291,7 @@ class LinesAround:
                 case Link(Quantity("velocity", (Name(own),)), "=", right) if own == body:
                     if all(map(self._reasons.is_positive, letters(right))):
                         sense = _sense_of(right)
-        if sense is None:
-            return None
-        late = Quantity("velocity", (Name(body),), line.move.event)
-        velocity, axis = map(self._naming.layout, (late, sense))
-        return say("turned.from-axis", body=body, axis=axis, velocity=velocity)
+        return sense
 
     def _has_across(self, line: Line, axis: Expression) -> bool:
         """Whether a component across a line is resolved in the part of a line."""

@@ -272,7 +272,9 @@ class TurnLeads(LinesAround):
             return None
         body = line.move.bodies[0]
         if self._by_directions(line):
-            came = self._came_along(line) if not isinstance(first.right, Binary) else None
+            # From i the direction after is the angle itself, whatever that is a sum of.
+            is_angle = self._sense_before(line) == Unit("i") or not isinstance(first.right, Binary)
+            came = self._came_along(line) if is_angle else None
             return came or say("turned.directions", body=body)
         same = self._same(first)
         if same is not None:

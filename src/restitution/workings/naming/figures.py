@@ -32,6 +32,7 @@ from restitution.expression.tree import (
     functions_in,
     has_quantity,
     has_root,
+    has_standard_ratios,
     has_unit_vector,
     is_binary,
     is_function,
@@ -70,8 +71,6 @@ from restitution.workings.naming.sums_in_degrees import (
 )
 
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
-# Degrees: of multiples of these a reader knows the ratios.
-_LEAST_STANDARD, _HALF_OF_A_RIGHT_ANGLE = 30, 45
 # Numbers from here on are none that somebody writes before a ratio.
 _LONG = 1000
 # A fraction of numbers below this is short.
@@ -107,7 +106,8 @@ def is_with_calculator(derivation: Derivation) -> bool:
     """
     relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
     trees = [tree for relation in relations for tree in relation.trees if functions_in(tree)]
-    if is_by_calculator(trees) or any(map(_is_bound_by_a_sum, relations)):
+    angles = {angle for tree in trees for angle in plain_angles(tree)}
+    if any(angle % EXACT_ANGLE for angle in angles) or any(map(_is_bound_by_a_sum, relations)):
         return True
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
     shown = [end.answer for end in derivation.items if end.shown]
@@ -115,8 +115,7 @@ def is_with_calculator(derivation: Derivation) -> bool:
         return False
     velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity"))
     in_letters = any(letters(tree) for relation in velocities for tree in relation.trees)
-    odd = _has_odd_multiples(trees)
-    return odd or (not in_letters and any(map(_is_of_long_roots, relations)))
+    return bool(angles) or (not in_letters and any(map(_is_of_long_roots, relations)))
 
 
 def _is_of_long_roots(relation: Relation) -> bool:
@@ -146,23 +145,12 @@ def _has_ratio_of_a_sum(tree: Expression) -> bool:
     return any(is_sum_with_inverse(ratio.argument) for ratio in _ratios_of_numbers(tree))
 
 
-def _has_odd_multiples(trees: Iterable[Expression]) -> bool:
-    """Whether a working has ratios of 15° or 75°: their roots are no longer to be read than 37°."""
-    return any(
-        isinstance(ratio.argument, Degrees)
-        and ratio.argument.value % _LEAST_STANDARD
-        and ratio.argument.value % _HALF_OF_A_RIGHT_ANGLE
-        for tree in trees
-        for ratio in _ratios_of_numbers(tree)
-    )
-
-
 def plain_angles(tree: Expression) -> set[Fraction]:
     """The numbers of degrees of which ratios, without roots, stand in a value."""
     return {
         ratio.argument.value
         for ratio in _ratios_of_numbers(tree)
-        if isinstance(ratio.argument, Degrees) and ratio.argument.value % EXACT_ANGLE
+        if isinstance(ratio.argument, Degrees) and not has_standard_ratios(ratio.argument.value)
     }
 
 

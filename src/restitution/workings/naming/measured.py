@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Number,
     Unit,
     has_quantity,
+    is_binary,
     is_function,
     letters,
     walk,
@@ -90,6 +91,17 @@ class Measures:
         if not self.decimals or self.has_units_of_its_own(tree):
             return tree
         return in_decimals(tree)
+
+    def is_in_decimals(self, subject: Expression) -> bool:
+        """Whether the values of a side are decimals: it has a unit, or is (2t − 0.72)²."""
+        if not self.decimals:
+            return False
+        return bool(self.unit(subject)) or _is_power_with_a_decimal(subject)
+
+
+def _is_power_with_a_decimal(tree: Expression) -> bool:
+    """Whether a side is a power with a decimal with an end in its base."""
+    return is_binary(tree, "^") and any(as_decimal(node) != node for node in walk(tree))
 
 
 def _quantities(problem: Problem) -> Iterator[Expression]:
