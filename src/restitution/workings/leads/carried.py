@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
 from restitution.explaining.lines.layouts import chains
@@ -38,8 +37,16 @@ _PUTTING: frozenset[SentenceId] = frozenset(
         "derived.moves-put",
     }
 )
+# The same where all that is put in are equations: *Substituting e = ½ from part (a)*.
+_PUTTING_VALUES: dict[SentenceId, SentenceId] = {
+    "derived.put": "derived.put-values",
+    "derived.put-in": "derived.put-values-in",
+    "derived.since-put": "derived.since-put-values",
+    "derived.since-put-in": "derived.since-put-values-in",
+}
 # No sentences: what goes with them stands behind a comma.
 _PHRASES: frozenset[SentenceId] = _PUTTING | {
+    *_PUTTING_VALUES.values(),
     "derived-between.title-of",
     "derived-between.title-turned",
     "flight.time-to-rest",
@@ -200,10 +207,14 @@ class Carried:
         if not there:
             return sentence, lines
         names = [self._name(line) for line in there]
-        whole = (*self._sources_of(there), *(name for name in put if name not in names))
-        slots = ((name, whole if name == "letters" else slot) for name, slot in sentence.slots)
-        rest = [line for line in lines if line not in there]
-        return replace(sentence, slots=tuple(slots)), rest
+        sources = tuple(self._sources_of(there))
+        others = tuple(name for name in put if name not in names)
+        slots = {**dict(sentence.slots), "letters": (*sources, *others)}
+        are_equations = not others and all(
+            isinstance(value, lay.Relation) for value in self._values(there)
+        )
+        name = _PUTTING_VALUES.get(sentence.id, sentence.id) if are_equations else sentence.id
+        return say(name, **slots), [line for line in lines if line not in there]
 
     def _sources_of(self, lines: Sequence[Line]) -> Iterator[Sentence]:
         """What stands in which part, part by part."""
