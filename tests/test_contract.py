@@ -81,7 +81,7 @@ A hits B: along i
 """
 SQUARE = (
     "(u(k cos α + √(1 − k² sin²α))/(k² − 1))𝐢, "
-    "for k > 1 and ((k − 2) cos α − √(1 − k² sin²α))/(k − 1) ≥ 0"
+    "for k sin α ≤ 1, k > 1 and ((k − 2) cos α − √(1 − k² sin²α))/(k − 1) ≥ 0"
 )
 SHARE = OBLIQUE + "given energy_lost = 1/4 energy(0)\n"
 EQUAL_SPEEDS = """\
@@ -129,7 +129,11 @@ given speed(A) = speed(B)
         (  # k = 1 would have no answer of this form: what divides is not zero
             OBLIQUE + "given speed(A) = speed(B)\nfind velocity(B)\n",
             ("u*(k*cos(alpha) + sqrt(-k**2*sin(alpha)**2 + 1))/(k**2 - 1)", "0"),
-            ["k > 1", "((k - 2)*cos(alpha) - sqrt(-k**2*sin(alpha)**2 + 1))/(k - 1) >= 0"],
+            [
+                "k*sin(alpha) <= 1",
+                "k > 1",
+                "((k - 2)*cos(alpha) - sqrt(-k**2*sin(alpha)**2 + 1))/(k - 1) >= 0",
+            ],
             SQUARE,
         ),
     ],
