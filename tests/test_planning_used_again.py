@@ -163,7 +163,8 @@ def test_a_component_comes_of_the_other_one_by_the_shorter_law() -> None:
 def test_a_value_of_an_earlier_part_is_put_in_as_an_equation() -> None:
     text = (
         "wall W: along i\nsphere P: mass m, velocity 10 at alpha to W\ngiven tan(alpha) = 4/3\n"
-        "P hits W\ngiven energy_lost = 48% of energy(0)\npart a\nfind e\npart b\nfind deflection(P)\n"
+        "P hits W\ngiven energy_lost = 48% of energy(0)\n"
+        "part a\nfind e\npart b\nfind deflection(P)\n"
     )
     assert "Substituting e = ½ from part (a) in (1):\n" in worked(text)
 
