@@ -73,7 +73,7 @@ given velocity(P) = -i + 3j
 find a
 """,
         (
-            "the normal to W is parallel to (−a − 1)𝐢 + 2𝐣",
+            "the normal to W is parallel to (−𝐢 + 3𝐣) − (a𝐢 + 𝐣) = (−a − 1)𝐢 + 2𝐣",
             "a + 1 + 3 × 2 = ½(a(a + 1) − 2)",
             "a = (1 + √65)/2 ≈ 4.53 or a = (1 − √65)/2 ≈ −3.53",
         ),
@@ -87,7 +87,7 @@ given velocity(A) = i + j
 find k
 """,
         (
-            "the line of centres is parallel to 2𝐢 + (k − 1)𝐣",
+            "the line of centres is parallel to (3𝐢 + k𝐣) − (𝐢 + 𝐣) = 2𝐢 + (k − 1)𝐣",
             "−2 + ((k − 1)/2 − 1)(k − 1) = ⅓(2(3 + 1) + k(k − 1))",
             "k = 5 + 2√11 ≈ 11.6 or k = 5 − 2√11 ≈ −1.63",
         ),

@@ -140,7 +140,7 @@ def test_an_answer_off_by_early_rounding_loses_its_accuracy() -> None:
     assert not [point for point in points if "rounding" in point["why"]]
 
 
-def test_what_follows_from_a_law_lost_at_a_wall_earns_no_accuracy() -> None:
+def test_what_follows_from_a_law_lost_at_a_wall_earns_its_accuracy() -> None:
     lines = ("parallel 8 sin 35 = 4.589", "perp 0.6 × 8 cos 35 = 3.932", "speed = 6.04")
     points = marked(WALL, "a", *lines, "angle = arctan(3.932/4.589) = 40.6°")["marks"]["points"]
     assert [point["state"] for point in points] == [
@@ -149,7 +149,7 @@ def test_what_follows_from_a_law_lost_at_a_wall_earns_no_accuracy() -> None:
         "earned",
         "lost",
         "earned",
-        "lost",
+        "earned",
     ]
 
 

@@ -226,7 +226,7 @@ SAYS = [
     (LOSS_GIVEN, "72mu²(1 − e²)/5 = 0.6 × (29mu²/2)"),
     (
         ASIDE,
-        "so it moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
+        "so it moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1",
     ),
     (THREE_DISCS, "Solving (1) and (2): a = 12 b = 5"),
     (SLOW_BLOW, "6 − λ = 2, as 0 < λ < 6"),

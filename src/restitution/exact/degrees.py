@@ -7,11 +7,15 @@ surds. Those of 15° and 75° are sums of two, which nobody reads either.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 import sympy
 from sympy import Expr, Rational
+
+_STEPS = 12
+"""Multiples of π over this have ratios made of roots, long ones too."""
 
 _STANDARD = (1, 2, 3, 4, 6)
 """The denominators of multiples of π that have surds."""
@@ -61,6 +65,16 @@ def cosine(turns: Fraction) -> Expr:
     if turns > _RIGHT:
         return -_ratio(sympy.cos, 1 - turns)
     return _ratio(sympy.cos, turns)
+
+
+def cosine_beside(turns: Fraction, others: Iterable[Fraction]) -> Expr:
+    """A cosine beside those of other multiples of π: of 15° beside 65° it has roots.
+
+    There 15° is the difference of two angles, and none of the data.
+    """
+    if _STEPS % turns.denominator == 0 and any(_STEPS % other.denominator for other in others):
+        return sympy.cos(Rational(turns.numerator, turns.denominator) * sympy.pi)
+    return cosine(turns)
 
 
 def sine(turns: Fraction) -> Expr:
@@ -124,6 +138,7 @@ def _ratio(function: type[sympy.sin | sympy.cos], turns: Fraction) -> Expr:
 
 __all__ = [
     "cosine",
+    "cosine_beside",
     "function_of",
     "is_standard",
     "sine",

@@ -78,8 +78,8 @@ def _of_number(value: Expr) -> Expr:
         cosines = _cosines(value)
     except _OtherError:
         return _cancelled(value)
-    form = _in_ratios_of(value, Add(*_classes(cosines)))
     own = _acute_angles(value)
+    form = _in_ratios_of(value, Add(*_classes(cosines, kept=_STEP in own)))
     other = form.is_Add if len(own) > 1 else bool(_acute_angles(form) - own)
     other = other or not _roots(form) <= _roots(value)  # sin² 15° is not (2 − √3)/4
     if other and not _is_linear(value):
@@ -215,8 +215,11 @@ def _cosine(turns: Fraction, number: Expr) -> _Cosines:
     return {min(turns, 2 - turns): number}
 
 
-def _classes(cosines: _Cosines) -> list[Expr]:
-    """One term for all cosines whose angles differ by multiples of 15°, or add up to one."""
+def _classes(cosines: _Cosines, kept: bool) -> list[Expr]:
+    """One term for all cosines whose angles differ by multiples of 15°, or add up to one.
+
+    The cosines of 15° and 75° themselves are ``kept``, or have roots.
+    """
     classes: dict[Fraction, tuple[Expr, Expr]] = {}
     single: dict[Fraction, list[Expr]] = {}
     for turns, number in cosines.items():
@@ -224,7 +227,7 @@ def _classes(cosines: _Cosines) -> list[Expr]:
         sign = 1
         if 2 * rest > _STEP:  # cos α = cos(−α)
             rest, sign = _STEP - rest, -1
-        if not rest and not degrees.is_standard(turns):
+        if kept and not rest and not degrees.is_standard(turns):
             rest = _STEP  # cos 75° by cos 15° and sin 15°, and not by roots
         further = _radians(sign * turns - rest)
         # cos(ρ + φ) = cos ρ cos φ − sin ρ sin φ
@@ -232,7 +235,9 @@ def _classes(cosines: _Cosines) -> list[Expr]:
         a += number * sympy.cos(further)
         b -= number * sympy.sin(further)
         classes[rest] = a, b
-        single.setdefault(rest, []).append(tidy_number(number) * _plain(turns))
+        is_plain = kept or bool(turns % _STEP)
+        cosine = _plain(turns) if is_plain else degrees.cosine_beside(turns, cosines)
+        single.setdefault(rest, []).append(tidy_number(number) * cosine)
     terms: list[Expr] = []
     for rest, pair in classes.items():
         one = _term(rest, *map(tidy_number, pair))

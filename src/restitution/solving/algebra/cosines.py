@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.exact.degrees import cosine, turns_of
+from restitution.exact.degrees import cosine_beside, turns_of
 from restitution.solving.algebra.polynomials import TooLargeError, afford, coefficients, terms_in
 from restitution.solving.algebra.resultants import resultant
 from restitution.work import remembered
@@ -227,9 +227,11 @@ class _Circle:
         return self._folded(reduced.items())
 
     def _expression(self, total: _Sum) -> sp.Expr:
+        turns = [Fraction(2 * k, self.order) for k in total]
         return sp.Add(
             *[
-                sp.Rational(c.numerator, c.denominator) * cosine(Fraction(2 * k, self.order))
+                sp.Rational(c.numerator, c.denominator)
+                * cosine_beside(Fraction(2 * k, self.order), turns)
                 for k, c in sorted(total.items())
             ]
         )
