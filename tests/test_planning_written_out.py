@@ -150,7 +150,10 @@ CASES = {
     ),
     "a component that is positive away from a wall": (
         WALL.format(angle="30°", e="", given="deflection(P) = 45°", asked="e, energy_lost"),
-        ["tan 15° = (eu/2)/(√3 u/2) DM1 e ≈ 0.464", "component of 𝐯_P away from W ≈ 0.4641u/2 ≈ 0.2321u"],
+        [
+            "tan 15° = (eu/2)/(√3 u/2) DM1 e ≈ 0.464",
+            "component of 𝐯_P away from W ≈ 0.4641u/2 ≈ 0.2321u",
+        ],
     ),
     "an obtuse angle in letters": (
         SLOWED.format(mass="5m", velocity="-v i", line="i").replace("alpha", "45°"),

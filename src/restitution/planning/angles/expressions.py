@@ -140,6 +140,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         line = scene.desk.write(Move("put"), premises, chain(asked, (right, None)))
         moves = (Move("rearrange"), Move("identity", "pythagoras"))
         last = scene.judge.write(moves, [line, *ranges], chain(asked, (final, None)))
+        if last is None and not letters(final):
+            return line, right  # a number, of which a calculator has the decimals as it stands
         if last is None:
             raise NotPlannedError("an expression of sines and cosines")
         return last, final
