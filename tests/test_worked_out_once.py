@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -40,14 +41,14 @@ def test_lines_are_read_only_where_one_may_change(monkeypatch: pytest.MonkeyPatc
 
 def test_the_rule_of_a_line_is_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
     _, derivation = planned(PAIR)
-    tried: Counter[tuple[int, int]] = Counter()
-    fits = _Awarding._fits
+    tried: Counter[int] = Counter()
+    fitting = _Awarding._fitting
 
-    def counted(self: _Awarding, rule: Any, line: Line) -> bool:
-        tried[line.number, id(rule)] += 1
-        return fits(self, rule, line)
+    def counted(self: _Awarding, line: Line) -> Iterator[Any]:
+        tried[line.number] += 1
+        return fitting(self, line)
 
-    monkeypatch.setattr(_Awarding, "_fits", counted)
+    monkeypatch.setattr(_Awarding, "_fitting", counted)
     work = _Awarding(derivation, "fm1", frozenset())
     first = work.proposed()
     for line in derivation.lines:

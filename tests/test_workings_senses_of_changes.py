@@ -30,7 +30,7 @@ def text_of(statement: str) -> str:
 def test_the_first_sphere_is_pushed_away_from_the_second() -> None:
     text = " ".join(text_of(SPHERES.format(body="A", after="3i - 9j")).split())
     assert (
-        "is parallel to −3𝐢 − 4𝐣 The impulse on A acts away from B, and the direction from A to B "
+        "= −3𝐢 − 4𝐣 M1 The impulse on A acts away from B, and the direction from A to B "
         "is opposite to it: the direction from A to B is that of 3𝐢 + 4𝐣"
     ) in text
 
@@ -47,7 +47,7 @@ def test_the_second_sphere_is_pushed_in_the_sense_of_the_line() -> None:
 def test_a_wall_pushes_away_from_it() -> None:
     text = text_of(WALL)
     assert (
-        "is parallel to −7𝐢 + 𝐣\nThe impulse on P acts away from W, and the normal towards W is"
+        "= −7𝐢 + 𝐣         M1\nThe impulse on P acts away from W, and the normal towards W is"
         in text
     )
 

@@ -45,6 +45,7 @@ from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
 from restitution.workings.leads.meetings import meetings
 from restitution.workings.leads.radii import Radii
+from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.leads.sides import Sides
 from restitution.workings.leads.staying import Staying
 from restitution.workings.leads.titles import TITLED
@@ -262,7 +263,10 @@ class _Writer:
             if lets and not before_their_line(lets, shown[index:]):
                 yield from self._letters(lets)
                 lets = []
-            if line.shown == "inline" or is_worked_out_below(shown, index):
+            if line.shown == "inline" or (
+                is_worked_out_below(shown, index)
+                and direction_by_its_sense(self.derivation, self.naming, shown[index + 1]) is None
+            ):
                 waiting.append(line)
                 continue
             after = shown[index + 1] if index + 1 < len(shown) else None

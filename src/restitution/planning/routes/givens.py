@@ -79,7 +79,12 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import expanded, is_factored_quadratic
+from restitution.planning.writing.polynomials import (
+    expanded,
+    factor_powers,
+    is_factored_quadratic,
+    numerator,
+)
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
@@ -396,7 +401,9 @@ def _closed(scene: Scene, equation: GivenEquation, own: Formula) -> int:
         if own.move.record in _LOSSES and not has_root(own.value):
             right, final = swept(own.right), tree_of(own.value)
             if left != ZERO and is_factored_quadratic(own.value, scene.unknown(own.value)):
-                final = tree_of(expanded(own.value))  # the factors are no roots
+                # Its factors are no roots, but a square keeps its root.
+                is_square = any(n > 1 for _, n in factor_powers(numerator(own.value)))
+                final = tree_of(expanded(own.value), as_it_is=not is_square)
             steps = (*terms_between(scene, right, final), final)
             worth = chain(own.of(left), (right, None), *((step, "rearrange") for step in steps))
             premises = together(equation.refs, refs, own.refs)
