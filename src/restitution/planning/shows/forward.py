@@ -182,14 +182,19 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
     return by_shown
 
 
-def _by_a_zero(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
-    """A quantity by the one law that is in the letters of the claim, as a component is zero."""
+def _equation_of_a_quantity(scene: Scene, item: Show, now: int) -> Link | None:
+    """The claim that a quantity has a value without quantities; None where it is another."""
     match item.relation:
         case Compare(operators=("=",), figures=None):
             (link,) = links_of(scene.problem, item.relation, now)
         case _:
             return None
-    if has_quantity(link.right) or not has_quantity(link.left):
+    return None if has_quantity(link.right) or not has_quantity(link.left) else link
+
+
+def _by_a_zero(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
+    """A quantity by the one law that is in the letters of the claim, as a component is zero."""
+    if _equation_of_a_quantity(scene, item, now) is None:
         return None
     standing = solver.mark()
     with Claims(scene, solver) as claims:
@@ -207,12 +212,8 @@ def _by_what_was_shown(
 
     That was to be shown, or is what the facts say of these letters.
     """
-    match item.relation:
-        case Compare(operators=("=",), figures=None):
-            (link,) = links_of(scene.problem, item.relation, now)
-        case _:
-            return None
-    if has_quantity(link.right) or not has_quantity(link.left):
+    link = _equation_of_a_quantity(scene, item, now)
+    if link is None:
         return None
     shown = [number for number in scene.desk.shown if scene.desk.holds(number)]
     relation = Relation(((link,),))
