@@ -63,6 +63,7 @@ from restitution.practice.judging.typed_energies import (
     has_square,
     is_given_energy,
 )
+from restitution.practice.judging.written_laws import have_sizes
 from restitution.practice.reading.phrase_names import is_phrase, is_relative
 from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, is_bare
@@ -232,22 +233,9 @@ def is_momentum_of_speeds(entry: Entry, world: World) -> bool:
                 wanted = [size[n] for size, n in zip(sizes, chosen, strict=True)]
                 moving = [size for size in wanted if np.all(size > _TINY)]
                 fits = any(chosen) and len(terms) == len(moving) > 2
-                if fits and _are_sizes(terms, moving, entry, world):
+                if fits and have_sizes(terms, moving, entry, world):
                     return True
     return False
-
-
-def _are_sizes(
-    terms: Sequence[Expression], wanted: Sequence[Array], entry: Entry, world: World
-) -> bool:
-    """Whether terms have these sizes, in some order and up to one factor."""
-    try:
-        own = [world.spread(world.scalar(x, entry.meanings, scope=entry.scope)) for x in terms]
-    except RestitutionError:
-        return False
-    one, other = (np.sort(np.abs(np.stack(values)), axis=0) for values in (own, wanted))
-    ratios = one / other
-    return bool(np.all(np.ptp(ratios, axis=0) <= _ROUNDED * ratios[0]))
 
 
 def _is_energy_of_one(entry: Entry, world: World) -> bool:

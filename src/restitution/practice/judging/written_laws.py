@@ -100,12 +100,12 @@ def _has_terms(entry: Entry, world: World, wanted: Sequence[Array]) -> bool:
     """Whether the terms of a claim are those of a law that are not zero."""
     moving = [np.abs(own) for own in wanted if np.all(np.abs(own) > _TINY)]
     return any(
-        len(terms) == len(moving) >= _LEAST and _have_sizes(terms, moving, entry, world)
+        len(terms) == len(moving) >= _LEAST and have_sizes(terms, moving, entry, world)
         for terms in terms_of(entry.claim)
     )
 
 
-def _have_sizes(
+def have_sizes(
     terms: Sequence[Expression], wanted: Sequence[Array], entry: Entry, world: World
 ) -> bool:
     """Whether terms have these sizes, in some order and up to one factor."""
