@@ -200,9 +200,10 @@ class Chains:
             return Row((operand(sense),), ())
         if words is not None:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
-            if links[1:]:  # a vector that is worked out in the same line
-                right = self._naming.relation(Relation((links[1:],)))
-            return Row((operand(say(words, left=left, right=right)),), ())
+            # A vector may be worked out in the same line.
+            further = tuple(self._naming.layout(link.right) for link in links[1:])
+            signs = tuple(sign_of(link) for link in links[1:])
+            return Row((operand(say(words, left=left, right=right)), *further), signs)
         return None
 
     def _trees(self, links: tuple[Link, ...]) -> list[Expression]:

@@ -55,6 +55,7 @@ from restitution.workings.lines_together import (
     before_their_line,
     first_under_its_heading,
     impact_of_a_value,
+    is_of_centres,
     is_worked_out_below,
     resolved_with,
 )
@@ -220,7 +221,7 @@ class _Writer:
         lines = list(self.angles.in_order(lines))
         self.naming.bold.part = label
         self.before = ()
-        self.heading = None
+        self.heading = self.naming.heading_in_part = None
         steps = tuple(_labelled_once(joined(self.steps(lines, label))))
         if self.axes is not None and has_axes(steps):
             steps, self.axes = tuple(with_axes(steps, self.axes)), None
@@ -530,7 +531,7 @@ class _Writer:
         if number in self.entered and (again or line.move.record == "impulse"):
             return
         if event.kind != "arrival":
-            self.heading = self.naming.now = event.number
+            self.heading = self.naming.now = self.naming.heading_in_part = event.number
             self.entered.add(event.number)
             self.afresh()
             yield Step("heading", sentences=(self.naming.heading(event),), event=number)
@@ -561,7 +562,8 @@ class _Writer:
     def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
         # What goes on in the same chain has no words of its own.
-        head = next((line for line in waiting if line.move.id in ("define", "law")), line)
+        heads = (e for e in waiting if e.move.id in ("define", "law") or is_of_centres(e))
+        head = next(heads, line)
         given = self.leads.given(head)
         title = None if given else self.leads.title(head)
         spoken = [

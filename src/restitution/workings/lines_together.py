@@ -7,10 +7,19 @@ from itertools import takewhile
 
 import sympy as sp
 
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Line, Link, Meaning, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Letter, Quantity, is_quantity, letters, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Quantity,
+    is_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.writing.forms import alike, negative, product, tree_of
 from restitution.vector import Vector
 
 
@@ -72,15 +81,40 @@ def is_worked_out_below(lines: Sequence[Line], index: int) -> bool:
     line, below = lines[index], lines[index + 1 : index + 2]
     match line.relation, *(own.relation for own in below):
         case (
-            Relation(((Link(Quantity("line_of_centres") as one, "parallel to", first),),)),
+            Relation(((Link(one, "parallel to", first),),)),
             Relation(((Link(other, "parallel to", last),),)),
-        ) if one == other and (line.move.id, below[0].move.id) == ("law", "rearrange"):
-            a, b = in_letters(first), in_letters(last)
-            if not (isinstance(a, Vector) and isinstance(b, Vector)):
-                return False
-            is_same = all(sp.expand(x - y) == 0 for x, y in zip(a, b, strict=True))
-            return is_same and below[0].premises == (line.number,)
+        ) if one == other and is_of_centres(line) and below[0].move.id == "rearrange":
+            return between_parallels(first, last) is not None and below[0].premises == (
+                line.number,
+            )
     return False
+
+
+def is_of_centres(line: Line) -> bool:
+    """Whether a line says by a law, or by places, to what a line of centres is parallel."""
+    match line.relation:
+        case Relation(((Link(Quantity("line_of_centres"), "parallel to", _),),)):
+            return line.move.id in ("law", "put")
+    return False
+
+
+def between_parallels(first: Expression, last: Expression) -> tuple[Expression, ...] | None:
+    """What stands between a vector and a shorter one that is parallel to it.
+
+    That is its value, and how many times the shorter one that is: *1.6𝐢 + 1.2𝐣 = 0.4(4𝐢 + 3𝐣)*.
+    None of vectors that are not parallel.
+    """
+    a, b = in_letters(first), in_letters(last)
+    if not (isinstance(a, Vector) and isinstance(b, Vector)) or not any(b):
+        return None
+    if sp.expand(a.x * b.y - a.y * b.x) != 0:
+        return None
+    factor = tidy((a.x if b.x != 0 else a.y) / (b.x if b.x != 0 else b.y))
+    if factor == 1:
+        return ()
+    value = tree_of(Vector(tidy(a.x), tidy(a.y)))
+    multiple = negative(last) if factor == -1 else product(tree_of(factor), last)
+    return (multiple,) if alike(value, first) else (value, multiple)
 
 
 def before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:

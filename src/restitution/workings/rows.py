@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import sympy as sp
 
@@ -33,6 +34,7 @@ from restitution.solving.story.letters import roles
 from restitution.workings.chain_sides import is_value, sign_of
 from restitution.workings.chains import WORDS, Chains
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
+from restitution.workings.lines_together import between_parallels
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.measured import (
     as_answer,
@@ -88,7 +90,7 @@ class Rows(Chains):
             row = self._chain(line, whole, last=index == len(groups) - 1)
             if index == len(groups) - 1 and self._ends.is_required(line):
                 row = self._as_the_question_has_it(row, whole[-1])
-            unit = self._unit_asked(line, whole[-1])
+            unit = self._unit_asked(line, links[-1])
             if unit is not None:
                 if unit.operands[-1] != self._naming.layout(whole[-1].right):
                     yield row
@@ -213,9 +215,13 @@ class Rows(Chains):
             assert isinstance(line.relation, Relation)
             before = line.relation.options[0]
             if before[0].left == whole[0].left:
-                sign = "=" if whole[0].sign == "parallel to" else whole[0].sign
-                first = Link(before[-1].right, sign, whole[0].right, whole[0].by)
-                whole = [*before, first, *whole[1:]]
+                first, sides = whole[0], [whole[0].right]
+                sign = first.sign
+                if sign == "parallel to":
+                    sign = "="
+                    sides = [*(between_parallels(before[-1].right, first.right) or sides)]
+                steps = pairwise((before[-1].right, *sides))
+                whole = [*before, *(Link(a, sign, b, first.by) for a, b in steps), *whole[1:]]
             else:
                 whole = [*before, *whole]
         return tuple(whole)

@@ -158,6 +158,7 @@ PRINCIPLES = (
                 "mass(F) velocity(F, 0) + mass(S) velocity(S, 0)"
                 " = mass(F) velocity(F, 1) + mass(S) velocity(S, 1)"
             ),
+            "momentum(F, 0) + momentum(S, 0) = momentum(F, 1) + momentum(S, 1)",
         ),
         "spheres",
         ("velocity", "mass"),

@@ -47,6 +47,7 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
 from restitution.planning.shows.shown_angles import ShownAngles, says
+from restitution.planning.shows.shown_laws import write_shown_law
 from restitution.planning.shows.shown_ratios import (
     in_one_ratio,
     ratio_by_a_shown_speed,
@@ -109,7 +110,8 @@ class ShownEquation(ShownAngles):
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
-        return without_a_detour(self.scene, self.link, self._written())
+        law = write_shown_law(self.scene, self.link)
+        return law or without_a_detour(self.scene, self.link, self._written())
 
     def _written(self) -> int:
         left, right = (

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     Unit,
+    has_quantity,
     is_binary,
     letters,
     walk,
@@ -377,8 +378,10 @@ class _Gathering:
         return None
 
     def _stays(self, line: Line) -> Hashable | None:
-        """Components that an impact does not change."""
+        """Components that an impact does not change, of which the line gives the value."""
         if line.move.id == "law" and line.move.record == "unchanged":
+            if isinstance(line.relation, Relation) and has_quantity(line.relation.only[-1].right):
+                return None  # what is to be shown stands where it is asked
             return "unchanged", line.move.event, isinstance(_subject(line), Quantity)
         return None
 

@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.place_trees import is_duration
+from restitution.workings.leads.particles import first_with_particles
 from restitution.workings.leads.speeds_of_flights import speed_of_a_flight
 from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.quantities import Naming
@@ -290,8 +291,10 @@ def distance_title(derivation: Derivation, naming: Naming, line: Line) -> Senten
         return say("distance.displacements")
     if not line.move.event:
         return say("distance.coordinates")
-    met = naming.called(naming.events[line.move.event])
-    return say("distance.relative", event=met)
+    met = naming.events[line.move.event]
+    if first_with_particles(derivation) is None:
+        return say("distance.relative", event=naming.called(met))
+    return say("distance.together", bodies=met.bodies, event=naming.moment(met.number))
 
 
 def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
@@ -330,7 +333,9 @@ def _apart_along_the_line(derivation: Derivation, line: Line) -> Sentence | None
     if event is None or len(values) != 2 or values[0] != values[1] or is_zero(values[0]):
         return None
     one, other = event.bodies
-    return say("distance.level", one=one, other=other)
+    if first_with_particles(derivation) is None:
+        return say("distance.level", one=one, other=other)
+    return say("distance.level-together", one=one, other=other)
 
 
 def _from_the_origin(derivation: Derivation, line: Line) -> bool:

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     is_zero,
 )
 from restitution.planning.writing.forms import tree_of
+from restitution.workings.leads.particles import first_with_particles
 from restitution.workings.naming.measured import vector_worth, with_its_unit
 from restitution.workings.naming.quantities import Naming
 
@@ -32,12 +33,15 @@ class Touching:
         self._naming = naming
         self._unprinted = unprinted
         self._done: set[tuple[str, int]] = set()
+        self._first_with_particles = first_with_particles(derivation)
 
     def before(self, line: Line) -> Iterator[Sentence]:
         """What stands above a distance: the ends that no line gives, as a contact tells them.
 
         Above a way of another part, where that begins, as no line there has it.
         """
+        if (first := self._first_with_particles) is not None and line.number == first.number:
+            yield say("distance.particles")
         if line.move.record == "straight-line":
             yield from self._where_both_were(line)
         if line.move.record != "distance" or line.move.event is not None:

@@ -443,17 +443,19 @@ class BoldLetters:
         self._pending.append(say(name, **slots))
 
     def _is_a_line(self, number: int, direction: Vector) -> bool:
-        """Whether a line above the components at an event says what a unit vector is."""
+        """Whether the line just above the components at an event says what a unit vector is."""
         axis = Quantity("line_of_centres", (), number)
         asked = {end.line for end in self.derivation.items}
+        above: Line | None = None
         for line in self.derivation.lines:
             if line.move.record == "component" and line.move.event == number:
-                return False
-            match line.relation:
-                case Relation(((Link(left, "=" | "parallel to" as sign), *_),)) if left == axis:
-                    # What is asked as a direction is answered by the unit vector.
-                    if sign == "=" or line.number in asked:
-                        return direction_in_numbers(line.relation.only[-1].right) == direction
+                break
+            above = line
+        match None if above is None else above.relation:
+            case Relation(((Link(left, "=" | "parallel to" as sign), *_),)) as own if left == axis:
+                # What is asked as a direction is answered by the unit vector.
+                if above is not None and (sign == "=" or above.number in asked):
+                    return direction_in_numbers(own.only[-1].right) == direction
         return False
 
     def _ratios(self, number: int) -> dict[sp.Expr, sp.Expr]:

@@ -29,12 +29,14 @@ from restitution.workings.naming.multiples import measured_meanings
 class Moments:
     """The events of one working in words.
 
-    ``now`` is the event under whose heading the next line stands.
+    ``now`` is the event under whose heading the next line stands, ``heading_in_part`` the
+    same where that heading stands in its own part.
     """
 
     derivation: Derivation
     problem: Problem
     now: int | None = None
+    heading_in_part: int | None = None
 
     def __post_init__(self) -> None:
         self.meanings: Mapping[str, Meaning] = self.derivation.meanings

@@ -625,7 +625,7 @@ class Naming(Moments):
             return words
         # Of several impacts, the angle through which a body turns could be that of them all.
         whole = tree.kind == "deflection"
-        if number == self.now and not (whole or self._of_other_times(tree)):
+        if number == self.heading_in_part and not (whole or self._of_other_times(tree)):
             return words
         event = self.events[number]
         name = "event.due" if event.kind == "kick" else "event.during"

@@ -16,10 +16,10 @@ SENTENCES: Mapping[str, str] = {
         "− its square after)."
     ),
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
-    "energy-ratio.title": "Kinetic energies, in which half the mass cancels",
+    "energy-ratio.title": "Ratio of kinetic energies, in which the mass cancels",
     "energy-ratio.why": (
         "The kinetic energy of one body is half its mass times the square of its speed. In the "
-        "ratio of two of its energies half the mass cancels, and the squares of its speeds are "
+        "ratio of two of its energies the factor ½m cancels, and the squares of its speeds are "
         "left."
     ),
     "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",

@@ -231,6 +231,14 @@ SENTENCES: Mapping[str, str] = {
         "Perpendicular to the line of centres {one} and {other} keep level, so with the spheres as "
         "particles distance apart = relative speed along it × time"
     ),
+    "distance.together": (
+        "{bodies:and} are together {event}, so distance apart = relative speed × time"
+    ),
+    "distance.level-together": (
+        "Perpendicular to the line of centres {one} and {other} keep level, so distance apart = "
+        "relative speed along it × time"
+    ),
+    "distance.particles": "The spheres are taken as particles.",
     "distance.why": (
         "The distance of two points follows from their coordinates by Pythagoras. Two bodies that "
         "were together and move on at constant velocities are apart by the size of their relative "

@@ -1,0 +1,94 @@
+"""What a working takes for granted, and what it names, stands where that is first used."""
+
+from __future__ import annotations
+
+import pytest
+from workings import printed_with
+
+TOGETHER = """
+sphere A: mass 2m, at (0, 0), velocity 2u i
+sphere B: mass m, at (4a, 0), at rest
+A hits B: along i, e = 1/2
+"""
+LEVEL = """
+sphere A: mass 2m, at (0, 0), velocity 2u i + 3u j
+sphere B: mass m, at (4a, 0), velocity 3u j
+A hits B: along i, e = 1/2
+"""
+TOUCHING = """
+sphere A: mass m, radius a, at (0, 0), velocity u i
+sphere B: mass 2m, radius a, at (5a, 6a/5), at rest
+A hits B: e = 1/3
+"""
+TURNED_BY_A_BLOW = """
+sphere A: mass 2, velocity 4i + 2j
+sphere B: mass 4, velocity -i
+unknown e
+A hits B: e = e
+given velocity(A) = -2i - 2.5j
+"""
+PARTS = """
+wall W: along 60°
+sphere A: mass 2m, velocity 3u i + u j
+sphere B: mass m, at rest
+part a
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B)
+part b
+B hits W: e = 1/3
+find speed(B)
+part c
+find energy_lost, impulse
+part d
+find impulse(1), energy_lost(1)
+"""
+
+
+@pytest.mark.parametrize("asked", ["distance(A, B, at 5a/u)", "time(1), distance(A, B, at 6a/u)"])
+def test_spheres_are_particles_from_the_time_on_that_takes_them_so(asked: str) -> None:
+    text = printed_with(
+        f"{TOGETHER}find {asked}\n",
+        ("taken as particles.", "t = 4a/(2u)", "A and B are together at the impact"),
+    )
+    assert text.count("particles") == 1
+
+
+def test_level_spheres_are_particles_from_the_time_on() -> None:
+    text = printed_with(
+        f"{LEVEL}find time(1), distance(A, B, at 5a/u)\n",
+        ("taken as particles.", "t = 4a/(2u)", "keep level, so distance apart = relative speed"),
+    )
+    assert text.count("particles") == 1
+
+
+def test_a_difference_of_places_stands_before_what_it_is_parallel_to() -> None:
+    printed_with(
+        f"{TOUCHING}find velocity(B)\n",
+        (
+            "the line of centres is parallel to (5a𝐢 + (6a/5)𝐣) − (17a/5)𝐢",
+            "= (8a/5)𝐢 + (6a/5)𝐣 = (2a/5)(4𝐢 + 3𝐣)",
+        ),
+    )
+
+
+def test_a_unit_vector_is_pointed_back_to_only_from_the_next_line() -> None:
+    text = printed_with(
+        f"{TURNED_BY_A_BLOW}find line_of_centres, velocity(B), e\n",
+        ("unit vector along the line of centres", "𝐯_B =", "Let 𝐧 = (4𝐢 + 3𝐣)/5 be"),
+    )
+    assert "that unit vector" not in text
+
+
+def test_a_part_without_a_heading_says_at_which_impact() -> None:
+    text = printed_with(
+        PARTS,
+        (
+            "(c)",
+            "kinetic energy lost at the second impact =",
+            "magnitude of the impulse at the second impact =",
+            "(d)",
+            "magnitude of the impulse at the first impact =",
+            "kinetic energy lost at the first impact =",
+        ),
+    )
+    assert "kinetic energy lost =" not in text
