@@ -11,9 +11,8 @@ together, from the top of a part to its end.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
-from operator import is_
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from restitution.explaining.data.offset_angles import letter_of_offset
@@ -32,7 +31,6 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.opposite_roots import root_but_for_sign
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import Expression, Quantity, walk
 from restitution.problem import Problem, Show, Value
 from restitution.records import dataclass
@@ -74,6 +72,13 @@ from restitution.workings.reasons.premises import Reasons
 from restitution.workings.reasons.pythagoras import is_arithmetic
 from restitution.workings.rendering.explanation import Explanation
 from restitution.workings.rendering.joining import joined
+from restitution.workings.rendering.once import (
+    in_turn,
+    labelled_once,
+    of_a_percentage,
+    spoken,
+    without_its_condition,
+)
 from restitution.workings.rendering.steps import REQUIRED, PartExplanation, Row, Step
 from restitution.workings.rows import Rows
 
@@ -81,11 +86,6 @@ if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution
 
 _LONG_ANGLE = 40  # nodes of an angle that nobody would write exactly
-_PERCENTAGES: Mapping[SentenceId, SentenceId] = {
-    "made.fraction-lost": "made.percentage-lost",
-    "fraction-lost.title": "fraction-lost.percentage",
-    "fraction-lost.at-a-wall": "fraction-lost.percentage-at-a-wall",
-}
 # Definitions that speak of the whole motion: they begin no working of an impact.
 _OF_THE_WHOLE = frozenset(
     {"energy", "total", "total-lost", "energy-ratio", "energy-lost", "assemble", "speed"}
@@ -222,7 +222,7 @@ class _Writer:
         self.naming.bold.part = label
         self.before = ()
         self.heading = self.naming.heading_in_part = None
-        steps = tuple(_labelled_once(joined(self.steps(lines, label))))
+        steps = tuple(labelled_once(joined(self.steps(lines, label))))
         if self.axes is not None and has_axes(steps):
             steps, self.axes = tuple(with_axes(steps, self.axes)), None
         return steps
@@ -297,7 +297,7 @@ class _Writer:
             if after is not None and self._is_kept_alone(line, after):
                 roots = step
                 continue
-            yield _without_its_condition(step, self.conditions.get(line.number))
+            yield without_its_condition(step, self.conditions.get(line.number))
             yield from self._claimed(line, step)
             yield from self._conditioned(line, step)
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
@@ -566,19 +566,19 @@ class _Writer:
         head = next(heads, line)
         given = self.leads.given(head)
         title = None if given else self.leads.title(head)
-        spoken = [
-            _spoken(sentence) for sentence in (*self.before, self.title) if sentence is not None
+        titles = [
+            spoken(sentence) for sentence in (*self.before, self.title) if sentence is not None
         ]
-        named = title is not None and (title == self.title or _spoken(title) in spoken)
+        named = title is not None and (title == self.title or spoken(title) in titles)
         if self.begins is not None and title is not None and not named:
             # A second case goes as the first one does; of laws each is named, or none.
             named = self.titles_of_cases.get(self.begins.line) == title and head.move.id != "law"
             self.titles_of_cases.setdefault(self.begins.line, title)
         self.begins = None
-        sentences = given or _in_turn(
+        sentences = given or in_turn(
             tuple(self.leads.anyway(head)), tuple(self.leads.of(head, self.title))
         )
-        if not given and len(sentences) == 1 and _spoken(sentences[0]) in spoken:
+        if not given and len(sentences) == 1 and spoken(sentences[0]) in titles:
             sentences, title, named = (), self.title, True
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self.rows.of(line, waiting, fresh))
@@ -592,8 +592,8 @@ class _Writer:
         self.before = sentences
         title = None if named else title
         if self._is_a_percentage(line):
-            sentences = tuple(map(_of_a_percentage, sentences))
-            title = None if title is None else _of_a_percentage(title)
+            sentences = tuple(map(of_a_percentage, sentences))
+            title = None if title is None else of_a_percentage(title)
         sentences, source = self.carried.beside(title, () if again else sentences, _subject(line))
         reasons = () if arithmetic else self.reasons.of(line)
         numbers = self.sources.numbers
@@ -621,37 +621,6 @@ class _Writer:
         return Step(kind, tuple(rows), title, sentences, item=item, source=source)
 
 
-def _in_turn(first: tuple[Sentence, ...], then: tuple[Sentence, ...]) -> tuple[Sentence, ...]:
-    """Sentences before a row: of two that both lead up to it, the first does not."""
-    if then:
-        first = tuple(
-            replace(e, id="extremum.value-there") if e.id == "extremum.value" else e for e in first
-        )
-    return (*first, *then)
-
-
-def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
-    """Steps with labels where chains begin; once for what is asked under one number."""
-    last = ""
-    for step in steps:
-        label = "" if step.label == last else step.label
-        last = step.label or last
-        labels = [""] * len(step.rows)
-        start = 0
-        for index, row in enumerate(step.rows):
-            if row.operands[0] is not None:
-                start = index
-            if row.label:
-                labels[start] = labels[start] if row.label == last else row.label
-                last = row.label
-        rows = tuple(
-            row if row.label == own else replace(row, label=own)
-            for row, own in zip(step.rows, labels, strict=True)
-        )
-        same = label == step.label and all(map(is_, rows, step.rows))
-        yield step if same else replace(step, rows=rows, label=label)
-
-
 def _in_degrees(claim: Relation) -> Relation:
     """An answer whose steps are not written out, in degrees where its ratio is long."""
     match claim.options:
@@ -659,32 +628,6 @@ def _in_degrees(claim: Relation) -> Relation:
             degrees = degrees_of(right, FIGURES_OF_ANSWERS)
             return claim if degrees is None else Relation(((Link(left, "≈", degrees),),))
     return claim
-
-
-def _without_its_condition(step: Step, condition: Sentence | None) -> Step:
-    """A step without the reason that the sentence below it says as a condition."""
-    bound = None if condition is None else dict(condition.slots).get("condition")
-    if bound is None or not step.rows:
-        return step
-    last = step.rows[-1]
-    kept = tuple(
-        reason
-        for reason in last.reasons
-        if reason.id != "derived.as" or dict(reason.slots).get("reasons") != (bound,)
-    )
-    return replace(step, rows=(*step.rows[:-1], replace(last, reasons=kept)))
-
-
-def _spoken(sentence: Sentence) -> tuple[object, ...]:
-    """What a sentence says, as a title or with the colon that stands behind one."""
-    *words, last = sentence.words
-    return (*words, last.removesuffix(":") if isinstance(last, str) else last)
-
-
-def _of_a_percentage(sentence: Sentence) -> Sentence:
-    """What speaks of a fraction, of a percentage."""
-    name = _PERCENTAGES.get(sentence.id)
-    return sentence if name is None else Sentence(name, sentence.slots)
 
 
 def _subject(line: Line) -> Expression | None:
