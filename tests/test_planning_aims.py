@@ -53,7 +53,7 @@ def test_the_path_to_the_pocket_gives_the_line_of_centres_and_the_place() -> Non
     problem, derivation = planned(DIRECT)
     text = to_text(explanation_of(awarded(derivation), problem))
     assert "B was at rest, so it moves off along the line of centres:" in text
-    assert "the line of centres is parallel to 4𝐢 + 3𝐣" in text
+    assert "the line of centres is parallel to (10𝐢 + 10𝐣) − (6𝐢 + 7𝐣) = 4𝐢 + 3𝐣" in text
     assert "(6𝐢 + 7𝐣) − 2((4𝐢 + 3𝐣)/5)" in text
 
 
