@@ -52,7 +52,7 @@ def test_the_half_of_an_energy_is_no_decimal() -> None:
         "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\n"
         "A hits B: along i, e = 0.5\nfind energy_lost"
     )
-    assert "kinetic energy lost = ½m(u/2)² − ½ × 2m(u/4)²" in text
+    assert "kinetic energy lost = ½m(u cos 60°)² − ½ × 2m(u/4)²" in text
 
 
 def test_a_coefficient_of_a_letter_is_a_decimal_among_decimals() -> None:
@@ -566,3 +566,44 @@ def test_what_an_equation_gives_has_its_figures_in_an_energy() -> None:
         "find u, energy_lost"
     )
     assert "½ × 0.15(4.950² − 2.383²) ≈ 1.41 J" in text
+
+
+@pytest.mark.parametrize(
+    ("masses", "speeds", "angles", "line"),
+    [
+        (("2", "1"), ("6", "4"), ("60°", "150°"), "= 3 + 4 cos 30° = 3 + 2√3 ≈ 6.46 N s"),
+        (("2", "1"), ("6", "2 sqrt(2)"), ("60°", "135°"), "= 3 + 2√2 cos 45° = 3 + 2 = 5 N s"),
+        (("2m", "2m"), ("2u", "u"), ("60°", "60°"), "= 2m(2u cos 60° − 5u/8) = 2m(u − 5u/8)"),
+        (("3", "1"), ("7", "2 sqrt(2)"), ("45°", "60°"), "= 61√2/16 − 2√2 cos 60°"),
+    ],
+)
+def test_a_component_that_has_no_line_is_written_as_the_data_have_it(
+    masses: tuple[str, str], speeds: tuple[str, str], angles: tuple[str, str], line: str
+) -> None:
+    bodies = zip("AB", masses, speeds, angles, strict=True)
+    spheres = "".join(f"sphere {n}: mass {m}, velocity {v} at {a}\n" for n, m, v, a in bodies)
+    text = printed(spheres + "A hits B: along i, e = 1/2\nfind speed(A), speed(B), impulse")
+    assert f"magnitude of the impulse {line}" in text
+
+
+def test_a_loss_has_components_as_the_data_have_them() -> None:
+    text = printed(
+        "sphere A: mass 3, velocity 7 at 45°\nsphere B: mass 1, velocity 2 sqrt(2) at 60°\n"
+        "A hits B: along i, e = 1/2\nfind energy_lost"
+    )
+    assert "½ × 3((7 cos 45°)² − (41√2/16)²) + ½((2√2 cos 60°)² − (61√2/16)²)" in text
+
+
+def test_a_short_sum_with_a_root_stays_exact_beside_a_long_one() -> None:
+    """Of angles such as 30°; what is longer has its figures."""
+    text = printed(
+        "sphere A: mass 2, velocity 6 at 60°\nsphere B: mass 1, velocity 4 at 150°\n"
+        "A hits B: along i, e = 1/2\nfind speed(A), speed(B)"
+    )
+    assert "v = (3 − 2√3)/2 m s⁻¹" in text
+    assert "v ≈" not in text
+    text = printed(
+        "sphere A: mass 4, velocity 8 at 30°\nsphere B: mass 5, velocity 3 at 135°\n"
+        "A hits B: along i, e = 0.6\nfind speed(A)"
+    )
+    assert "v ≈ −1.116 m s⁻¹" in text

@@ -292,13 +292,14 @@ def test_a_letter_that_the_question_has_for_a_speed_is_introduced() -> None:
     assert "Let V be the speed of B after the impact. V = q/8 (ii) V/q = ⅛" in shown
 
 
-def test_a_component_in_numbers_shows_its_cosine_in_the_laws() -> None:
+def test_a_component_by_a_cosine_in_numbers_is_worked_out_once() -> None:
     shown = working(
         "sphere A: mass 2, velocity 10 at alpha\nsphere B: mass 3, velocity 4j\n"
         "given cos(alpha) = 3/5\nA hits B: along i, e = 1/2\nfind velocity(B)"
     )
-    assert "2 × 10 × ⅗ = 2v + 3w (1)" in shown
-    assert "w − v = ½ × 10 × ⅗ (2)" in shown
+    assert "component of 𝐮_A along 𝐢 = 10 cos α = 6 m s⁻¹" in shown
+    assert "2 × 6 = 2v + 3w (1)" in shown
+    assert "w − v = ½ × 6 (2)" in shown
 
 
 def test_a_component_that_is_minus_another_has_its_value() -> None:

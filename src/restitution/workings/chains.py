@@ -54,6 +54,7 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figure_multiples import beside_figures
 from restitution.workings.naming.figures import (
     Figures,
+    has_only_standard_angles,
     has_plain_angles,
     is_with_calculator,
     of_plain_angles,
@@ -129,7 +130,8 @@ class Chains:
         self._ends = ends
         self._long_numbers = measures.decimals and has_long_numbers(derivation)
         calculator = self._long_numbers or is_with_calculator(derivation)
-        self._figures = Figures(calculator, measures.decimals, finer, self._long_numbers)
+        short = has_only_standard_angles(derivation)
+        self._figures = Figures(calculator, measures.decimals, finer, self._long_numbers, short)
         # Lines with figures in place of values: their first two sides, by the number.
         self._with_figures: dict[int, tuple[Expression, Expression]] = {}
         # The left sides of lines with figures in place of roots of sums of roots.

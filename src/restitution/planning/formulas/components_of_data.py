@@ -6,12 +6,14 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import atoms_in, symbol_names
-from restitution.expression.tree import Expression, Polar, letters, walk
+from restitution.expression.tree import Apply, Expression, Polar, letters, walk
 from restitution.planning.writing.degrees import by_degrees
 from restitution.planning.writing.desk import Source
 from restitution.planning.writing.forms import neat, negative, product, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
+
+_RATIOS = ("sin", "cos", "tan")
 
 
 def is_polar(scene: Scene, body: str) -> bool:
@@ -62,6 +64,29 @@ def by_its_ratio(
     if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
         return None
     return None if source.value.has(*ratios) else tree_of(value)
+
+
+def as_in_the_data(scene: Scene, body: str, frame: Frame, source: Source) -> Expression | None:
+    """A component along the line of an impact as the data have it, where no line has its value."""
+    return before_a_wall(scene, body, frame, source) or by_its_angle(scene, body, frame, source)
+
+
+def by_its_angle(scene: Scene, body: str, frame: Frame, source: Source) -> Expression | None:
+    """A component along the line of centres by a number of degrees: ``2√2 cos 45°``.
+
+    None where a line has what it is worth, and of any other.
+    """
+    form = source.form
+    if form is None or frame.wall is not None or scene.last_event(body, frame.number - 1):
+        return None
+    if scene.desk.known(frame.component("along", body, 0)) is not None:
+        return None
+    return form if has_ratios(form) else None
+
+
+def has_ratios(tree: Expression) -> bool:
+    """Whether a ratio of an angle stands in a tree."""
+    return any(isinstance(node, Apply) and node.function in _RATIOS for node in walk(tree))
 
 
 def before_a_wall(scene: Scene, body: str, frame: Frame, source: Source) -> Expression | None:

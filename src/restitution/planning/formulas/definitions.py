@@ -76,6 +76,7 @@ def formula_of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) 
 # A speed from components with roots is a line that people write; deeper roots are not.
 _MOST_ROOTS = 2
 _PAIR = 2
+_RATIOS = ("sin", "cos", "tan")
 
 
 def write_formula(scene: Scene, own: Formula) -> int:
@@ -122,7 +123,12 @@ def write_formula(scene: Scene, own: Formula) -> int:
         elif _is_figure(own.value) and isinstance(right, Apply):
             final = right  # what follows is its decimal: no other form of it is plainer
         if own.between is not None:
-            between = ((swept(own.between), "put"), *between)
+            # Ratios of numbers of degrees have their values by themselves.
+            plain = not any(
+                isinstance(node, Apply) and node.function in _RATIOS and letters(node)
+                for node in walk(own.right)
+            )
+            between = ((swept(own.between), "rearrange" if plain else "put"), *between)
         relation = chain(own.left, (right, None), *between, (final, "rearrange"))
         if _by_pythagoras(scene, own) and not scene.judge.follows(own.move, refs, relation):
             relation = chain(own.left, (right, None), *between, (final, "identity"))

@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
-from restitution.planning.formulas.components_of_data import before_a_wall
+from restitution.planning.formulas.components_of_data import before_a_wall, by_its_angle
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.given_values import given_energy
 from restitution.planning.formulas.impacts import in_direction
@@ -390,7 +390,8 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     for body in scene.spheres(event):
         early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
         mass = scene.mass(body)
-        squared = [square(tree_of(source.value)) for source in (early, late)]
+        begin = by_its_angle(scene, body, frame, early) or tree_of(early.value)
+        squared = [square(begin), square(tree_of(late.value))]
         terms.append(half(tree_of(mass.value), difference(*squared)))
         by_data = before_a_wall(scene, body, frame, early)
         if by_data is not None:

@@ -36,6 +36,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.assembling import put_together
 from restitution.planning.formulas.components_of_data import (
     by_its_ratio,
+    has_ratios,
     is_polar,
     with_its_ratio,
 )
@@ -92,7 +93,21 @@ def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
     if len(scene.desk.lines) > lines and frame.is_slanted:
         other = "across" if kind == "along" else "along"
         in_direction(scene, other, body, frame.number - 1, frame)
+    if kind == "along" and frame.wall is None and source.form and not has_ratios(source.form):
+        return _worked_out(scene, body, frame, source)
     return source
+
+
+def _worked_out(scene: Scene, body: str, frame: Frame, source: Source) -> Source:
+    """A component of the data by a cosine in numbers, in a line: both laws use what it comes to."""
+    quantity = frame.component("along", body, 0)
+    own = neat(scene.initial(body).value.dot(frame.direction("along")))
+    number = scene.desk.write(
+        Move("define", "component", frame.number, (body,)),
+        source.whole,
+        chain(quantity, (tree_of(own), None), (tree_of(source.value), "define")),
+    )
+    return scene.desk.know(quantity, source.value, (number,))
 
 
 def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:

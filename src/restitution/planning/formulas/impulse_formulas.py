@@ -18,7 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.planning.formulas.components_of_data import before_a_wall
+from restitution.planning.formulas.components_of_data import as_in_the_data
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.standing_vectors import change_as_vectors
@@ -127,7 +127,7 @@ def impulse_on(
     mass = scene.mass(body)
     first, last = tree_of(early.value), tree_of(late.value)
     forms = [(first, last)]
-    by_data = before_a_wall(scene, body, frame, early)
+    by_data = as_in_the_data(scene, body, frame, early)
     if by_data is not None:
         forms.insert(0, (by_data, last))
     if model.sign(model.in_data(change)) < 0:

@@ -59,6 +59,7 @@ from restitution.workings.naming.roots_of_roots import (
     is_long_number,
     is_nested_root,
     is_of_nested_roots,
+    is_short_sum_of_a_root,
     is_to_be_worked_out,
 )
 from restitution.workings.naming.sums_in_degrees import (
@@ -118,6 +119,12 @@ def is_with_calculator(derivation: Derivation) -> bool:
     return bool(angles) or (not in_letters and any(map(_is_of_long_roots, relations)))
 
 
+def has_only_standard_angles(derivation: Derivation) -> bool:
+    """Whether no line of a working has a ratio of an angle such as 15° or 37°."""
+    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
+    return not any(plain_angles(tree) for relation in relations for tree in relation.trees)
+
+
 def _is_of_long_roots(relation: Relation) -> bool:
     """Whether a relation comes to a root of a sum of roots, or to a tangent that is such a sum."""
     for option in relation.options:
@@ -173,6 +180,7 @@ class Figures:
         decimals: bool = False,
         finer: Mapping[str, int] | None = None,
         long_numbers: bool = False,
+        short_sums: bool = False,
     ) -> None:
         self.with_calculator = with_calculator
         # How many figures the values of these sizes have, where four lead to others in the end.
@@ -181,6 +189,8 @@ class Figures:
         self.wanted: dict[str, int] = dict(self._finer)
         self._decimals = decimals
         self._long_numbers = long_numbers
+        # Whether a short sum with a root stays exact, though there is a calculator: 3 + 2√3.
+        self._short_sums = short_sums
         self._known: dict[Expression, Expression] = {}
         # Whether there are sums of roots in values.
         self._sums: dict[Expression, bool] = {}
@@ -206,7 +216,9 @@ class Figures:
         """
         if self._long_numbers and is_long_number(tree):
             return True
-        return has_root(tree) and is_of_nested_roots(tree, self.with_calculator)
+        if not has_root(tree) or (self._short_sums and is_short_sum_of_a_root(tree)):
+            return False
+        return is_of_nested_roots(tree, self.with_calculator)
 
     def has_sums_of_roots(self, tree: Expression) -> bool:
         """Whether a value in it is a sum of roots that is carried in figures."""

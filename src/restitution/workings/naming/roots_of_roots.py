@@ -45,6 +45,22 @@ def is_of_nested_roots(tree: Expression, every: bool) -> bool:
     return False
 
 
+def is_short_sum_of_a_root(tree: Expression) -> bool:
+    """Whether a number is a sum of a whole number and a root, of small numbers: (3 − 2√3)/2."""
+    match tree:
+        case Negate(operand):
+            return is_short_sum_of_a_root(operand)
+        case Binary("/", above, Number(below)) if below < _SHORT:
+            return is_short_sum_of_a_root(above)
+        case Binary("*", Number(size), Binary("+" | "-") as inside) if size < _SHORT:
+            return is_short_sum_of_a_root(inside)
+        case Binary("+" | "-", left, right):
+            one, other = sorted((left, right), key=has_root)
+            whole = isinstance(one, Number) and one.value < _SHORT
+            return whole and _is_multiple_of_a_root(other) and _largest(other) < _SHORT
+    return False
+
+
 def _is_sum_of_roots(tree: Expression) -> bool:
     match tree:
         case Binary("+" | "-", left, right):
