@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import takewhile
 
+from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import Letter, Quantity, is_binary, is_function, walk
 from restitution.practice.judgement import JudgedLine, Judgement, Use
@@ -24,6 +25,7 @@ from restitution.practice.marking.values import Values
 LAWS = ("momentum", "restitution", "unchanged")
 OF_ANGLES = ("angle", "component", "deflection")
 _OF_WHOLE_SPEEDS = frozenset({"speed-for-component", "restitution-whole-speed"})
+_WITH_COMPONENT = ("restitution-inverted", "restitution-omitted")
 OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 
 
@@ -35,6 +37,29 @@ class Grounds:
         self.scheme = scheme
         self.values = values
         self.states: dict[str, PointMark] = {}
+
+    def _stated(self, point: MarkPoint) -> JudgedLine | None:
+        """A true line that is the equation for whose values a mark is, with a method beside it."""
+        if point.letter != "A" or point.item is not None or point.shown or point.link is None:
+            return None
+        method = next((x for x in self.scheme.points if x.id in point.depends), None)
+        if method is None or method.link != point.link or method.principle != point.principle:
+            return None
+        true = (line for line in self.lines if line.verdict == "true" and line.grounded)
+        return next((line for line in true if self.values.states(point, line)), None)
+
+    def _in_wrong_law(self, point: MarkPoint) -> JudgedLine | None:
+        """A line in which the law is turned upside down or has no e, and the component is right."""
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "false" and line.mistake is not None
+                if line.mistake.id in _WITH_COMPONENT
+                if any(use.event == point.event and use.altered for use in fitting_uses(line))
+            ),
+            None,
+        )
 
     def _has_true_line(self, point: MarkPoint) -> bool:
         """Whether a true line is the one for which a point is given."""
@@ -164,9 +189,14 @@ class Grounds:
         return point.principle == "deflection" and other
 
     def _is_no_component_of(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line has no velocity in it, or one component alone where a velocity is due."""
-        if point.principle == "velocity" and not has_vector(line):
-            return True
+        """Whether a line has no velocity in it, or one component alone where a velocity is due.
+
+        Nor is a component before an impact a velocity after it.
+        """
+        if point.principle == "velocity":
+            of_start = point.event is not None and not self.values.has_velocities(line)
+            if of_start or not has_vector(line):
+                return True
         return point.principle in ("velocity", "component") and self.values.speaks_of_line_alone(
             line
         )
@@ -421,3 +451,14 @@ def _names_of(line: JudgedLine) -> tuple[str, ...]:
         return (line.mistake.id,)
     altered = (use.altered for use in fitting_uses(line))
     return tuple(name.partition("/")[0] for name in altered if name)
+
+
+def is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
+    """Whether a line with a mistake about a deflection only happens to fit an altered law."""
+    named = line.mistake is not None and line.mistake.id in OF_DEFLECTION
+    return named and use.altered is not None and use.principle in LAWS
+
+
+def is_inequality(point: MarkPoint) -> bool:
+    """Whether a point is for an inequality, which no value of a letter is."""
+    return point.link is not None and point.link.sign in FLIPPED

@@ -513,27 +513,6 @@ class Sides:
         except UnvaluedError:
             return None
 
-    def _are_multiples(
-        self,
-        world: World,
-        own: tuple[Expression, Expression],
-        asked: tuple[Expression, Expression],
-        meanings: Mapping[str, Expression],
-        line: JudgedLine,
-    ) -> bool:
-        try:
-            values = [world.value(x, meanings, line.line.scope) for x in own]
-            values += [world.value(x) for x in asked]
-        except UnvaluedError:
-            return False
-        if any(isinstance(value, Vector) for value in values):
-            return False
-        left, right, first, second = (spread_of(world, value) for value in values)
-        a, b = left - right, first - second
-        if np.any(np.abs(a) < _LEAST) or np.any(np.abs(b) < _LEAST):
-            return False
-        return bool(np.ptp(a / b) < _LEAST * np.max(np.abs(a / b)))
-
     def _names(
         self,
         side: Expression,
@@ -562,6 +541,9 @@ class Sides:
             own, asked = self._base.value(meant), self._base.value(quantity)
         except UnvaluedError:
             return False
+        if isinstance(own, Vector):
+            parts = [part for part in (own.x, own.y) if not is_zero(self._base, part)]
+            own = parts[0] if len(parts) == 1 else own  # 14j is as great as 14
         inside = [quantity for quantity in quantities_in(meant) if quantity.kind == "impulse"]
         return bool(inside) and not isinstance(own, Vector) and are_same(self._base, own, asked)
 

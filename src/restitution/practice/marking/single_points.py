@@ -6,10 +6,16 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.judgement import JudgedLine, Use
-from restitution.practice.marking.grounds import LAWS, OF_DEFLECTION, Grounds, has_name
+from restitution.practice.marking.grounds import (
+    LAWS,
+    OF_DEFLECTION,
+    Grounds,
+    has_name,
+    is_inequality,
+    is_of_plain_mistake,
+)
 from restitution.practice.marking.lines import (
     SOUND,
     continues,
@@ -60,17 +66,6 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
 }
 
 
-def _is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
-    """Whether a line with a mistake about a deflection only happens to fit an altered law."""
-    named = line.mistake is not None and line.mistake.id in OF_DEFLECTION
-    return named and use.altered is not None and use.principle in LAWS
-
-
-def _is_inequality(point: MarkPoint) -> bool:
-    """Whether a point is for an inequality, which no value of a letter is."""
-    return point.link is not None and point.link.sign in FLIPPED
-
-
 class SinglePoints(Grounds):
     """The lines of a working, and what each point of one scheme finds in them."""
 
@@ -81,7 +76,8 @@ class SinglePoints(Grounds):
             return self._equation(point)
         if point.letter == "B" and point.item is None:
             return self._independent(point)
-        value = self._value(point)
+        stated = self._stated(point)
+        value = self._value(point) if stated is None else self._earned(point, stated, "")
         alone = value.line is None or value.state == "earned"
         in_words = self._in_words(point) if point.shown and alone else None
         return value if in_words is None else self._earned(point, in_words, "said in words")
@@ -137,7 +133,7 @@ class SinglePoints(Grounds):
             if divided is not None:
                 return self._earned(point, divided, "")
         solving = point.principle in ("solve", "method") or (
-            point.principle == "condition" and bool(point.depends) and not _is_inequality(point)
+            point.principle == "condition" and bool(point.depends) and not is_inequality(point)
         )
         if lost is None and solving:
             line_of_value = self._elimination(point) or self._worked_out(point)
@@ -421,7 +417,7 @@ class SinglePoints(Grounds):
             last = self._earned(point, same, "is worth as much")
         if last is None and point.principle == "component":
             used = next((line for line in self.lines if self.values.relates(point, line)), None)
-            used = used or self._unchanged_instead(point)
+            used = used or self._unchanged_instead(point) or self._in_wrong_law(point)
             last = None if used is None else self._earned(point, used, "used here")
         if last is None:
             used = next(
@@ -535,7 +531,7 @@ class SinglePoints(Grounds):
                 if self.values.is_formula(line):
                     continue
                 use = self._use(line, point)
-                if use is None or self._is_by_chance(line, use) or _is_of_plain_mistake(line, use):
+                if use is None or self._is_by_chance(line, use) or is_of_plain_mistake(line, use):
                     continue
                 if self._is_of_vectors(point, line):
                     continue

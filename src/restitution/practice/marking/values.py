@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 
@@ -20,17 +20,17 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Quantity,
-    has_unit_vector,
     is_function,
     is_quantity,
+    letters,
     quantities_in,
     walk,
 )
 from restitution.practice.judgement import JudgedLine
-from restitution.practice.marking.line_contents import LineContents, Match, place_in
+from restitution.practice.marking.directions import Directions
+from restitution.practice.marking.line_contents import Match
 from restitution.practice.marking.lines import is_slip, ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
@@ -39,21 +39,17 @@ from restitution.practice.marking.sides import (
     chains,
     is_fine,
     names_in,
+    spread_of,
 )
 from restitution.practice.reading.quoted import has_data
 from restitution.practice.worlds.agreement import agrees
-from restitution.practice.worlds.arrays import UnvaluedError, is_bare
+from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.world import World
-from restitution.problem import Aligned, Compare, Given, Impact, Show
+from restitution.problem import Compare, Given, Impact
 from restitution.records import dataclass
 from restitution.vector import Vector
 
 _STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
-_CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
-    "opposite to": re.compile(r"\b(opposite|anti-?parallel|reversed?|back)\b", re.IGNORECASE),
-    "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
-    "parallel to": re.compile(r"\b(parallel|direction|along|line of centres|loc)\b", re.IGNORECASE),
-}
 # So near, relative to it, a decimal may be meant for a value that stands above.
 _CONVERTED = 0.05
 # So near is the end of a range, as a decimal too.
@@ -91,7 +87,7 @@ def _bounds_of(point: MarkPoint) -> Iterator[tuple[str, Expression, Expression]]
 
 
 @dataclass(frozen=True, eq=False)
-class Values(LineContents):
+class Values(Directions):
     """The values of a part, and how the lines of a script reach them."""
 
     def of_his_own(self) -> Values:
@@ -117,7 +113,8 @@ class Values(LineContents):
             computed = computed and self._computes(point.link.left, line, open_)
             between = point.letter == "A" and point.item is None
             computed = computed or (between and self.gives_multiple(point, line))
-            if not computed and not self._gives_whole(point.link.left, line):
+            whole = self._gives_whole(point.link.left, line)
+            if not computed and (not whole or self.is_slanted(point)):
                 return None
         return self._match(line)
 
@@ -455,66 +452,6 @@ class Values(LineContents):
                                 return True
         return False
 
-    def is_velocity(self, point: MarkPoint) -> bool:
-        """Whether a point is for a velocity."""
-        left = point.link.left if point.link is not None else None
-        return is_quantity(left, "velocity") and not point.shown
-
-    def shows(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether the value of a velocity stands in a remark: ``so both 0.6i + j``."""
-        link = point.link
-        if link is None:
-            return False
-        if self.is_direction(point):
-            return line.verdict in ("true", "remark") and any(
-                self._is_angle(value, link.left, line) or self._is_towards(value, link, line)
-                for value in line.line.values
-            )
-        if link.sign == "parallel to":
-            return line.verdict in ("true", "remark") and any(
-                self._is_towards(value, link, line) for value in line.line.values
-            )
-        place = place_in(link.left)
-        return line.verdict == "remark" and any(
-            self._is_worth(value, link.left, line)
-            or (place is not None and self._has_part(value, place, point, line))
-            for value in line.line.values
-        )
-
-    def _is_towards(self, value: Expression, link: Link, line: JudgedLine) -> bool:
-        """Whether a vector has the direction that a relation gives."""
-        if link.sign != "parallel to":
-            return False
-        return self._is_parallel(value, link.right, self._meanings(line), line)
-
-    def words_of_direction(self, point: MarkPoint) -> re.Pattern[str] | None:
-        """The words in which a student concludes what is printed of a direction."""
-        if point.link is None or not point.shown:
-            return None
-        right = point.link.right
-        aligned = (
-            isinstance(step, Show) and isinstance(step.relation, Aligned)
-            for _, step in self.worlds[0].problem.steps()
-        )
-        ahead = point.link.sign == "=" and any(x.kind == "velocity" for x in quantities_in(right))
-        if ahead and any(aligned):
-            turned = any(isinstance(node, Negate) for node in walk(right))
-            return _CONCLUSIONS["opposite to" if turned else "parallel to"]
-        if point.link.sign == "=" and isinstance(right, Binary):
-            unit = has_unit_vector(point.link.right)
-            vector = is_quantity(point.link.left, "impulse")
-            return _CONCLUSIONS["parallel to"] if unit and vector else None
-        return _CONCLUSIONS.get(point.link.sign)
-
-    def is_pointing(self, point: MarkPoint) -> bool:
-        """Whether a point is for the vector along which something points."""
-        return point.link is not None and point.link.sign == "parallel to" and not point.shown
-
-    def is_direction(self, point: MarkPoint) -> bool:
-        """Whether a point is for a direction."""
-        left = point.link.left if point.link is not None else None
-        return is_quantity(left, "direction") and not point.shown
-
     def has_rebound(self, line: JudgedLine) -> bool:
         """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
         meanings = self._meanings(line)
@@ -627,23 +564,8 @@ class Values(LineContents):
             return True
         if not wrong and own and self._is_in_a_tangent(link.right, line):
             return True
-        vector = self.value_of(velocity, line)
+        vector = self.value_of(velocity, line, open_=own and not wrong)
         return vector is not None and self._has_part(vector, velocity, point, line)
-
-    def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line takes a component along the direction that a point is for."""
-        link = point.link
-        if link is None or link.sign != "parallel to" or line.verdict != "true":
-            return False
-        meanings = self._meanings(line)
-        return any(
-            self._is_parallel(vector, link.right, meanings, line)
-            for other in line.line.links
-            for side in (other.readings[0].left, other.readings[0].right)
-            for product in quantities_in(side)
-            if product.kind == "dot"
-            for vector in product.arguments
-        )
 
     def states(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line says what a point's own relation says, whatever happens.
@@ -669,6 +591,37 @@ class Values(LineContents):
             for other in line.line.links
             for claim in other.readings[:1]
             if (claim.sign in FLIPPED) == (link.sign in FLIPPED)
+        )
+
+    def _are_multiples(
+        self,
+        world: World,
+        own: tuple[Expression, Expression],
+        asked: tuple[Expression, Expression],
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        """Whether the differences of two pairs have a constant ratio, but for powers of letters.
+
+        ``16(1 - e²) = 12`` is ``(4u/5)² - (4eu/5)² = 12u²/25`` divided by u².
+        """
+        try:
+            values = [world.value(x, meanings, line.line.scope) for x in own]
+            values += [world.value(x) for x in asked]
+        except UnvaluedError:
+            return False
+        if any(isinstance(value, Vector) for value in values):
+            return False
+        left, right, first, second = (spread_of(world, value) for value in values)
+        a, b = left - right, first - second
+        if np.any(np.abs(a) < _ZERO) or np.any(np.abs(b) < _ZERO):
+            return False
+        apart = {name for tree in (*own, *asked) for name in letters(tree)} - self.unknown
+        sizes = [world.spread(world.letters[x]) for x in sorted(apart) if x in world.letters]
+        powers = product(range(-2, 3), repeat=len(sizes)) if len(sizes) < _FIGURES else ()
+        return any(
+            np.ptp(ratio) < _ZERO * np.max(np.abs(ratio))
+            for ratio in (a / b * _product(sizes, power) for power in ((), *powers))
         )
 
     def _is_printed(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -698,3 +651,8 @@ class Values(LineContents):
             case Binary("/", _, below), Binary("/", _, whole):
                 return self._names(below, whole, meanings, line)
         return False
+
+
+def _product(sizes: Sequence[Array], powers: Sequence[int]) -> Array:
+    """The product of some powers."""
+    return np.prod([size**power for size, power in zip(sizes, powers)], axis=0)

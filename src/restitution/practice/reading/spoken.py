@@ -21,6 +21,7 @@ from restitution.expression.tree import (
 from restitution.practice.reading import (
     amounts,
     attributions,
+    components_in_words,
     lines_in_words,
     mass_centres,
     meetings,
@@ -327,6 +328,10 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (attributions.OF_SIZE, lambda match, _: f"{match[1]} = "),
     (attributions.TURN, lambda _, __: "deflection"),
     (attributions.LISTED_COMPONENTS, lambda _, __: ""),
+    (components_in_words.KE_ALONG, components_in_words.energy_along),
+    (components_in_words.STAYS, components_in_words.stays),
+    (components_in_words.HAS_ALONG, components_in_words.has_along),
+    (components_in_words.GOES_BACK, components_in_words.goes_back),
     (amounts.STAGE_BEHIND, amounts.stage_behind),
     (amounts.LISTED_ENERGY, amounts.listed_energy),
     (meetings.HAS_AFTER, meetings.has_after),

@@ -132,7 +132,7 @@ class _Trial:
         self.states, self.world = tried, tried.world
         self.quantities = tuple(_quantities(claim, self.world, meanings))
         self.now = self.world.now(scope)
-        self.plain = not self.quantities and _is_arithmetic(claim)
+        self.plain = not self.quantities and _is_arithmetic(claim, meanings)
         self.uses_letters = bool(_letters_of(claim, meanings))
         self.line = (claim, meanings, decimals, scope)
         self.is_value = _is_value(claim, self.world, meanings)
@@ -477,9 +477,13 @@ def _of_letter(
         yield from _outermost(world.lets[name][0].expression, world, meanings, opened)
 
 
-def _is_arithmetic(claim: Claim) -> bool:
-    return not any(
-        isinstance(node, Letter) for side in (claim.left, claim.right) for node in walk(side)
+def _is_arithmetic(claim: Claim, meanings: Meanings) -> bool:
+    """Whether a line has no letters, but for those of known vectors: ``n = (3i + 4j)/5``."""
+    return all(
+        node.name in meanings and not any(isinstance(x, Letter) for x in walk(meanings[node.name]))
+        for side in (claim.left, claim.right)
+        for node in walk(side)
+        if isinstance(node, Letter)
     )
 
 

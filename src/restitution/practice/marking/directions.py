@@ -1,0 +1,160 @@
+"""What lines show of directions: vectors along which something points, and words for them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from restitution.explaining.lines.derivation import Link
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Pair,
+    Quantity,
+    Unit,
+    has_unit_vector,
+    is_binary,
+    is_quantity,
+    quantities_in,
+    walk,
+)
+from restitution.practice.judgement import JudgedLine
+from restitution.practice.marking.line_contents import LineContents, place_in
+from restitution.practice.marking.lines import SOUND
+from restitution.practice.marking.scheme import MarkPoint
+from restitution.problem import Aligned, Show
+from restitution.records import dataclass
+
+_CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
+    "opposite to": re.compile(r"\b(opposite|anti-?parallel|reversed?|back)\b", re.IGNORECASE),
+    "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
+    "parallel to": re.compile(r"\b(parallel|direction|along|line of centres|loc)\b", re.IGNORECASE),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Directions(LineContents):
+    """What lines show of velocities, places and directions without an equation for them."""
+
+    def is_velocity(self, point: MarkPoint) -> bool:
+        """Whether a point is for a velocity."""
+        left = point.link.left if point.link is not None else None
+        return is_quantity(left, "velocity") and not point.shown
+
+    def is_slanted(self, point: MarkPoint) -> bool:
+        """Whether a point is for a velocity along neither axis, of a question in i and j.
+
+        Its component along another line is not the velocity yet.
+        """
+        link = point.link
+        if link is None or not is_quantity(link.left, "velocity") or not _is_slanted(link.right):
+            return False
+        problem = self.worlds[0].problem
+        given = [sphere.velocity for sphere in problem.spheres]
+        return any(isinstance(tree, Expression) and has_unit_vector(tree) for tree in given)
+
+    def shows(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the value of a velocity stands in a remark: ``so both 0.6i + j``."""
+        link = point.link
+        if link is None:
+            return False
+        if self.is_direction(point):
+            return line.verdict in ("true", "remark") and any(
+                self._is_angle(value, link.left, line) or self._is_towards(value, link, line)
+                for value in line.line.values
+            )
+        if link.sign == "parallel to":
+            vectors = (*line.line.values, *_vectors_of(line, whole=point.letter == "M"))
+            return line.verdict in (*SOUND, "remark") and any(
+                self._is_towards(value, link, line) for value in vectors
+            )
+        place = place_in(link.left)
+        return line.verdict == "remark" and any(
+            self._is_worth(value, link.left, line)
+            or (place is not None and self._has_part(value, place, point, line))
+            for value in line.line.values
+        )
+
+    def _is_towards(self, value: Expression, link: Link, line: JudgedLine) -> bool:
+        """Whether a vector has the direction that a relation gives."""
+        if link.sign != "parallel to":
+            return False
+        return self._is_parallel(value, link.right, self._meanings(line), line)
+
+    def words_of_direction(self, point: MarkPoint) -> re.Pattern[str] | None:
+        """The words in which a student concludes what is printed of a direction."""
+        if point.link is None or not point.shown:
+            return None
+        right = point.link.right
+        aligned = (
+            isinstance(step, Show) and isinstance(step.relation, Aligned)
+            for _, step in self.worlds[0].problem.steps()
+        )
+        ahead = point.link.sign == "=" and any(x.kind == "velocity" for x in quantities_in(right))
+        if ahead and any(aligned):
+            turned = any(isinstance(node, Negate) for node in walk(right))
+            return _CONCLUSIONS["opposite to" if turned else "parallel to"]
+        if point.link.sign == "=" and isinstance(right, Binary):
+            unit = has_unit_vector(point.link.right)
+            vector = is_quantity(point.link.left, "impulse")
+            return _CONCLUSIONS["parallel to"] if unit and vector else None
+        return _CONCLUSIONS.get(point.link.sign)
+
+    def is_pointing(self, point: MarkPoint) -> bool:
+        """Whether a point is for the vector along which something points."""
+        return point.link is not None and point.link.sign == "parallel to" and not point.shown
+
+    def is_direction(self, point: MarkPoint) -> bool:
+        """Whether a point is for a direction."""
+        left = point.link.left if point.link is not None else None
+        return is_quantity(left, "direction") and not point.shown
+
+    def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line takes a component along the direction that a point is for."""
+        link = point.link
+        if link is None or link.sign != "parallel to" or line.verdict != "true":
+            return False
+        meanings = self._meanings(line)
+        return any(
+            self._is_parallel(vector, link.right, meanings, line)
+            for other in line.line.links
+            for side in (other.readings[0].left, other.readings[0].right)
+            for product in quantities_in(side)
+            if product.kind == "dot"
+            for vector in product.arguments
+        )
+
+
+def _vectors_of(line: JudgedLine, *, whole: bool) -> Iterator[Expression]:
+    """The vectors that a line declares, and those of which it has a multiple: ``w(3i + 4j)/5``.
+
+    One along i or j is none, as each vector is a sum of these. With ``whole`` a side may be such a
+    vector itself: a change of velocity is the method for its direction.
+    """
+    for declared in line.line.declarations:
+        yield from (tree for tree in declared.meanings if _is_slanted(tree))
+    for link in line.line.links:
+        for side in (link.readings[0].left, link.readings[0].right):
+            yield from (
+                tree for tree in _factors(side) if _is_slanted(tree) and (whole or tree != side)
+            )
+
+
+def _factors(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product or a quotient."""
+    if is_binary(tree, "*", "/"):
+        yield from _factors(tree.left)
+        yield from _factors(tree.right)
+    elif isinstance(tree, Negate):
+        yield from _factors(tree.operand)
+    else:
+        yield tree
+
+
+def _is_slanted(tree: Expression) -> bool:
+    """Whether a vector in numbers is along neither i nor j."""
+    axes = {node.axis for node in walk(tree) if isinstance(node, Unit)}
+    known = not any(isinstance(node, Letter | Quantity) for node in walk(tree))
+    return known and (len(axes) > 1 or isinstance(tree, Pair))

@@ -1,0 +1,64 @@
+"""What sentences say of components: which stay, which a body has, and which turns back."""
+
+from __future__ import annotations
+
+import re
+
+from restitution.problem import Impact, Problem
+
+_VALUE = r"(?=[-−\d√(½⅓¼⅔¾])"
+_WAY = r"parallel|para?|tangential|perp(?:endicular)?|normal|along|across"
+STAYS = re.compile(
+    rf"(^|[,;]|\b(?:and|so)\b)\s*(?:the\s+)?({_WAY})(?:\s+(?:to\s+)?(?:the\s+)?(?:wall|cushion))?"
+    r"(?:\s+(?:component|comp|cpt|part|velocity|speed))?\s+(?:still\s+)?"
+    rf"(?:stays|remains|keeps|is\s+still|is\s+unchanged)(?:\s+(?:at|as))?\s+{_VALUE}",
+    re.IGNORECASE,
+)
+HAS_ALONG = re.compile(
+    r"(^|[,;]|\b(?:and|so)\b)\s*(along|across|parallel\s+to|perp(?:endicular)?\s+to)\s+"
+    rf"(?:the\s+)?(line\s+of\s+centres|LOC|it)\s*,?\s*([A-Z])?\s*(?:has\s+)?{_VALUE}",
+    re.IGNORECASE,
+)
+GOES_BACK = re.compile(
+    r"\b([A-Z])\s+(?:goes|moves|comes|travels|bounces|rebounds|flies)\s+(?:straight\s+)?back(?:wards)?"
+    r"\s+(?:at|with)\s+(?:an?\s+)?(?:speed\s+(?:of\s+)?)?(?=[\d√(½⅓¼⅔¾a-z])"
+)
+KE_ALONG = re.compile(
+    r"\balong\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC)(?:\s+(?:only|alone))?\s*[:,]?\s*"
+    r"((?:total\s+)?(?:KE|kinetic\s+energy))\s+(before|after)\b",
+    re.IGNORECASE,
+)
+
+
+def stays(match: re.Match[str], _: Problem) -> str:
+    """The component after an impact of which a sentence says that it stays."""
+    return f"{match[1]} {match[2]} component after = "
+
+
+def has_along(match: re.Match[str], problem: Problem) -> str:
+    """The component that a sphere has along or across the line of centres."""
+    spheres = {sphere.name for sphere in problem.spheres}
+    if match[4] not in {*spheres, None} or (match[4] is None and match[3].lower() != "it"):
+        return match[0]
+    direction = "across" if match[2].lower()[:2] in ("ac", "pe") else "along"
+    of = f" of {match[4]}" if match[4] else ""
+    return f"{match[1]} component{of} {direction} the line of centres = "
+
+
+def goes_back(match: re.Match[str], problem: Problem) -> str:
+    """The component of a sphere that is turned round along the line of centres.
+
+    It is as great as the speed where nothing moves across that line.
+    """
+    impacts = [
+        x for x in problem.events if isinstance(x, Impact) and match[1] in (x.first, x.second)
+    ]
+    walls = {wall.name for wall in problem.walls}
+    if len(impacts) != 1 or impacts[0].second in walls:
+        return match[0]
+    return f"component of {match[1]} along the line of centres after = "
+
+
+def energy_along(match: re.Match[str], _: Problem) -> str:
+    """An energy of the components along the line of centres alone."""
+    return f"KE along line of centres {match[2]}"

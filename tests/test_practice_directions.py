@@ -1,0 +1,77 @@
+"""Directions that lines show: unit vectors, multiples of vectors, and what is no velocity yet."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import pytest
+
+import restitution
+
+TURNED = """
+sphere A: mass 1, velocity 6i + 3j
+sphere B: mass 2, at rest
+A hits B
+given velocity(A) = 3i - 3j
+find velocity(B)
+"""
+WALL = """
+wall W: along 3i - 4j
+sphere P: mass 2, velocity 7i + j
+P hits W: e = 1/2
+find velocity(P)
+"""
+
+
+@cache
+def solved(text: str) -> restitution.Solution:
+    return restitution.solve(restitution.parse(text))
+
+
+def marking(text: str, *lines: str, letters: dict[str, str] | None = None) -> dict[str, Any]:
+    return restitution.mark(solved(text), lines, letters=letters or {}).json()
+
+
+def states(found: dict[str, Any]) -> list[tuple[str, str]]:
+    return [(point["kind"], point["state"]) for point in found["marks"]["points"]]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "let n = (i + 2j)/√5",
+        "let n = (-3i - 6j)/√45",
+        "velocity of B = w(i + 2j)/√5",
+    ],
+)
+def test_a_vector_along_the_line_of_centres_is_its_direction(line: str) -> None:
+    assert states(marking(TURNED, line))[:2] == [("M1", "earned"), ("A1", "earned")]
+
+
+def test_a_vector_along_another_line_is_no_direction() -> None:
+    found = marking(TURNED, "let n = (2i + j)/√5")
+    assert states(found)[:2] == [("M1", "lost"), ("A1", "lost")]
+
+
+def test_a_scalar_product_worked_out_is_no_momentum() -> None:
+    found = marking(TURNED, "let n = (3i + 6j)/√45", "(6i + 3j).n = (18 + 18)/√45 = 12/√5")
+    assert found["lines"][1]["verdict"] == "true"
+    assert found["lines"][1]["principle"] == "arithmetic"
+    earned = [p["for"] for p in found["marks"]["points"] if p["state"] == "earned"]
+    assert not any("momentum along" in purpose for purpose in earned)
+
+
+def test_a_component_along_a_slanted_line_is_no_velocity() -> None:
+    letters = {"w": "along(velocity(B), i + 2j)"}
+    lines = "let n = (i + 2j)/√5", "12/√5 = -3/√5 + 2w", "w = 15/(2√5)"
+    found = marking(TURNED, *lines, letters=letters)
+    assert [line["verdict"] for line in found["lines"]] == ["remark", "true", "true"]
+    assert states(found)[-2:] == [("M1", "lost"), ("A1", "lost")]
+    whole = marking(TURNED, *lines, "velocity of B = 1.5i + 3j", letters=letters)
+    assert states(whole)[-2:] == [("M1", "earned"), ("A1", "earned")]
+
+
+def test_a_component_before_an_impact_is_no_velocity_after_it() -> None:
+    found = marking(WALL, "u.(4i + 3j)/5 = 31/5", letters={"u": "velocity(P, 0)"})
+    assert states(found) == [("B1", "earned"), ("B1", "lost"), ("M1", "lost"), ("A1", "lost")]
