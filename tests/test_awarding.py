@@ -392,6 +392,22 @@ find energy_lost/energy(0), energy(P)/energy(P, 0)
 a: 1 energy_lost(1)/energy(0) = 9/25
 b: 2 energy(P, 1)/energy(P, 0) = 16/25
 """,
+    # All the energy is that of the sphere that moves.
+    "energy-of-one": """
+wall W: along i
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 1, at rest
+A hits W: e = 1/2
+A hits B: along i, e = 1
+find energy(1), energy(A, 1)
+---
+1 a | law unchanged 1 A | velocity A, axis 1 | across(velocity(A, 1), line_of_centres(1)) = 3
+2 a | law restitution-wall 1 A | velocity A, axis 1, e 1 | along(velocity(A, 1), j) = 2
+3 a | define total 1 | mass A, velocity B, 1, 2 | energy(1) = 1/2*2(3^2 + 2^2) = 13 [rearrange]
+4 b | define total 1 A | velocity B, 3 | energy(A, 1) = 13
+a: 3 energy(1) = 13
+b: 4 energy(A, 1) = 13
+""",
     # A time, and places, that the data tell.
     "places": """
 wall W: along j, through (8, 0)
@@ -768,6 +784,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("share-by-the-data", "share-that-is-kept", 1, "M1", "M1", "M1"),
     ("share-asked-by-the-data", "share-that-is-left", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("share-by-other-shares", "share-that-is-left", 2, "A1ft", "A1ft", "A1ft"),
+    ("energy-of-all", "energy-of-one", 4, "A1ft", "A1ft", "A1ft"),
     ("angle-of-the-data", "read-off", 2, "", "", ""),
     ("right-angle-by-a-product", "read-off", 7, "A1", "A1", "A1"),
     ("repeated", "repeated", 7, "", "", ""),

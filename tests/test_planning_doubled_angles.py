@@ -120,3 +120,24 @@ def test_no_inverse_stands_in_a_ratio(case: str) -> None:
     statement, parts = CASES[case]
     text = printed_with(statement, parts)
     assert "sin(2 arc" not in text
+
+
+@pytest.mark.parametrize(
+    ("given", "lines"),
+    [
+        ("sin(alpha/2) = 3/5", ("cos α = 1 − 2 sin²(α/2) = 1 − 2(3/5)² = 7/25", "sin α = 24/25")),
+        ("cos(alpha/2) = 4/5", ("cos α = 2 cos²(α/2) − 1 = 2(4/5)² − 1 = 7/25", "sin α = 24/25")),
+        ("tan(1/2 alpha) = 3/4", ("tan α = 2 tan(½α)/(1 − tan²(½α))", "= 24/7", "sin α = 24/25")),
+    ],
+)
+def test_a_ratio_of_half_an_angle_of_the_data(given: str, lines: tuple[str, ...]) -> None:
+    """P leaves at 7u/25 along the wall and 8u/25 from it."""
+    wall = f"""
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+given {given}
+"""
+    printed_with(f"{wall}find velocity(P)\n", (*lines, "𝐯_P = (7u/25)𝐢 + (8u/25)𝐣"))
+    printed_with(f"{wall}find alpha\n", (lines[0], "α = arc"))
+    printed_with(f"{wall}find deflection(P)\n", (lines[0], "+ arctan(8/7)", "≈ 123°"))

@@ -374,3 +374,46 @@ def test_an_angle_to_an_axis_has_its_reason(impact: str, angle: str, says: str) 
     """No value of e is possible: what it would have to be stands above that."""
     shown = working(f"{impact}\ngiven angle(velocity(P), {angle}) > 90°\nfind range of e")
     assert f"{says} But e ≤ 1. So what is described cannot happen." in shown
+
+
+@pytest.mark.parametrize(
+    ("velocity", "line", "given", "told"),
+    [
+        (
+            "4i + 3j",
+            "j",
+            "direction(A) = 174°",
+            "component of A in the direction of 𝐢 stays 4 m s⁻¹. B1 But it is given that",
+        ),
+        (
+            "4i + 3j",
+            "j",
+            "angle(velocity(A), i) = 150°",
+            "component of A in the direction of 𝐢 stays 4 m s⁻¹. B1 But it is given that",
+        ),
+        (
+            "u at alpha",
+            "i",
+            "direction(A) = -20°",
+            "stays u sin α. B1 u sin α is positive, as α is acute. But it is given",
+        ),
+        (
+            "3i + 2j",
+            "i",
+            "direction(B) = 30°",
+            "component of B in the direction of 𝐣 stays 0. But it is given that",
+        ),
+    ],
+)
+def test_a_direction_against_the_component_that_stays(
+    velocity: str, line: str, given: str, told: str
+) -> None:
+    """What stays across the line of centres points away from the direction that is given."""
+    text = f"""
+sphere A: mass 2, velocity {velocity}
+sphere B: mass 3, at rest
+A hits B: along {line}, e = e
+given {given}
+find e
+"""
+    assert told in working(text)

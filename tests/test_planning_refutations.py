@@ -336,3 +336,29 @@ B hits W: e = 1/2
 def test_why_a_range_has_no_value(statement: str, reason: str) -> None:
     solution = solve(parse(statement))
     assert reason in " ".join(to_text(explain(solution)).split())
+
+
+@pytest.mark.parametrize(
+    ("shown", "claim", "told"),
+    [
+        (
+            "show tan(delta) = (1 + e) tan(alpha)/(1 - e tan^2(alpha))\nfind cos(delta)\n",
+            "sin(delta) = sin(2 alpha)(1 - e)/2",
+            "with α = 45° and e = 1, for instance, cos δ = 0, so sin δ = 1, but",
+        ),
+        (
+            "show tan(delta) = (1 + e) tan(alpha)/(1 - e tan^2(alpha))\n",
+            "cos(delta) = 1 - e",
+            "with α = 45° and e = ½, for instance, tan δ = 3, so cos δ = √10/10",
+        ),
+    ],
+)
+def test_a_ratio_has_the_other_from_which_it_follows(shown: str, claim: str, told: str) -> None:
+    text = f"""
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+let delta = deflection(P)
+{shown}show {claim}
+"""
+    assert told in " ".join(to_text(explain(solve(parse(text)))).split())

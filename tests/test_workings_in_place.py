@@ -100,7 +100,7 @@ def test_of_an_impact_at_its_end_a_time_says_which_one_leaves_the_speed_as_it_is
 
 def test_a_law_by_a_vector_that_is_no_unit_vector_says_so() -> None:
     words = printed(TURNED)
-    assert "the line of centres is parallel to 5𝐢 + √3 𝐣" in words
+    assert "= (5w/6)𝐢 + (√3 w/6)𝐣 = (w/6)(5𝐢 + √3 𝐣)" in words
     assert "Newton's experimental law, by scalar products with 5𝐢 + √3 𝐣: 5(5w/9 − w/6)" in words
 
 

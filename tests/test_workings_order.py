@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from workings import printed_with
+
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.workings import explain, to_text
@@ -259,3 +261,48 @@ find e
         text
     )
     assert later.count("Kinetic energy:") == 1
+
+
+CUSHION = """
+wall W: along i
+sphere A: mass m, velocity 3i - 4j
+sphere B: mass 2m, at rest
+A hits W: e = 1/2
+A hits B: along i, e = 1/3
+"""
+
+
+def test_an_item_about_the_first_impact_stands_under_its_heading() -> None:
+    printed_with(
+        f"{CUSHION}find velocity(A), velocity(A, 1), velocity(A, before), speed(A)\n"
+        "find energy_lost(1), deflection(A, 1)\n",
+        (
+            "First impact: A hits W",
+            "(ii), (iii) 𝐯_A1 = (3𝐢 + 2𝐣) m s⁻¹",
+            "(v) kinetic energy lost = ½m(4² − 2²) = 6m",
+            "(vi) δ =",
+            "Second impact: A hits B",
+            "(i) 𝐯_A2 =",
+            "(iv) speed of A",
+        ),
+    )
+
+
+def test_what_rests_on_both_impacts_stands_below_both() -> None:
+    printed_with(
+        f"{CUSHION}find velocity(A), impulse(A, 2), total_energy_lost, impulse(1)\n",
+        ("(iv) magnitude of the impulse =", "Second impact", "(i)", "(ii)", "(iii)"),
+    )
+
+
+def test_the_energy_of_all_is_that_of_the_one_who_moves() -> None:
+    text = printed_with(
+        f"{CUSHION}find energy(1), energy(A, 1), energy(A)\n",
+        (
+            "total kinetic energy after the first impact = ½m(2² + 3²) = 13m/2",
+            "As B is then at rest, the total kinetic energy is that of A:",
+            "kinetic energy of A after the first impact = 13m/2",
+            "kinetic energy of A after the second impact = ½m((1/3)² + 2²)",
+        ),
+    )
+    assert text.count("½m(2² + 3²)") == 1

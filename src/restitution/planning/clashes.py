@@ -168,7 +168,8 @@ def _refuted(
             bounded = _by_a_bound(scene, solver, claim, note, late)
             needed = bounded or with_what_is_needed(scene, whole)
             # As an angle is acute, a component is not zero: of another value that says nothing.
-            if not (isinstance(relation, Compare) and _rests_on_an_angle(needed)):
+            of_a_value = isinstance(relation, Compare) and not _is_told_in_degrees(claim)
+            if not (of_a_value and _rests_on_an_angle(needed)):
                 return needed
         solver.back(standing)
     # A new scene, in which the fact is given again; what the letters are does not rest on it.
@@ -405,8 +406,14 @@ def _velocities(claim: Relation) -> Iterator[tuple[str, int]]:
         for side in (link.left, link.right):
             for node in walk(side):
                 match node:
-                    case Quantity("velocity", (Name(body),), int(stage)) if stage:
+                    case Quantity("velocity" | "direction", (Name(body),), int(stage)) if stage:
                         yield body, stage
+
+
+def _is_told_in_degrees(claim: Relation) -> bool:
+    """Whether a fact tells a direction by its angle."""
+    left = claim.only[0].left
+    return isinstance(left, Quantity) and left.kind in ("angle", "direction")
 
 
 def write_worths(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:

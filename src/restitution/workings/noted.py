@@ -17,8 +17,11 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
+    Binary,
     Expression,
     Letter,
     Name,
@@ -41,6 +44,15 @@ from restitution.workings.reasons.no_root import reason_of_no_root
 
 # These notes are of one item each.
 _ALONE = frozenset({"unbounded", "refuted", "undecided", "unwritten", "standing", "agreeing"})
+
+
+# What is said of a component with acute angles in it that has the other sense.
+_OF_SENSE: Mapping[bool, SentenceId] = {False: "note.against-sense", True: "note.against-opposite"}
+
+
+def _is_negative(value: Expression) -> bool:
+    """Whether a product begins with a minus sign."""
+    return isinstance(value, Negate) or (isinstance(value, Binary) and _is_negative(value.left))
 
 
 def _has_an_open_direction(problem: Problem) -> bool:
@@ -199,8 +211,13 @@ class Notes:
             return say("note.against", fact=note.reason)
         reasons = (say("derived.acute", angle=self._naming.layout(Letter(e))) for e in angles)
         value = self._relation(note.lines[-1]).only[-1].right
+        facts = self._derivation.facts_in(note.premises)
+        of_a_direction = any(
+            isinstance(left := fact.relation.options[0][0].left, Quantity) and left.kind in ANGLES
+            for fact in facts
+        )
         return say(
-            "note.against-zero",
+            _OF_SENSE[_is_negative(value)] if of_a_direction else "note.against-zero",
             value=self._naming.layout(value),
             reasons=tuple(reasons),
             fact=note.reason,

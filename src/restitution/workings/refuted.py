@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Negate,
     Number,
     Quantity,
@@ -94,8 +95,12 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     relation = asked.relation if isinstance(asked, Show) else None
     claim = claim_of(note, naming, ends)
     values = tuple(_side(link, naming) for link in note.instance)
-    equations = (_side(side, naming) for side in note.sides)
-    sides = tuple(_with_article(equation) for equation in equations if len(equation.operands) > 1)
+    equations = ((side, _side(side, naming)) for side in note.sides)
+    sides = tuple(
+        _by_another_ratio(side, note, derivation, naming) or _with_article(equation)
+        for side, equation in equations
+        if len(equation.operands) > 1
+    )
     match relation:
         case Compare() if isinstance(asked, Show) and asked.subject is not None:
             return _of_subject(asked, claim, note, naming)
@@ -154,6 +159,68 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     if sides:
         return say("refuted.claim", claim=claim, sides=sentence)
     return say("refuted.plainly", claim=claim)
+
+
+def _by_another_ratio(
+    side: Link, note: Note, derivation: Derivation, naming: Naming
+) -> Sentence | None:
+    """A ratio of an angle by another one, of which a line above has the value in letters.
+
+    None of another side, and where a line has the ratio itself.
+    """
+    match side:
+        case Link(Apply("sin" | "cos" | "tan", angle), "=", worth) if not letters(worth):
+            pass
+        case _:
+            return None
+    values = {link.left: in_letters(link.right) for link in note.instance}
+    names = {angle, *(Letter(n) for n, e in derivation.meanings.items() if e.quantity == angle)}
+    place = list(derivation.asked).index(note.item)
+    above = [
+        line
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+        and line.item in list(derivation.asked)[: place + 1]
+    ]
+    links = [_link_of(derivation, line.number) for line in above]
+    assert isinstance(side.left, Apply)
+    same = {Apply(side.left.function, name) for name in names}
+    if any(link.left in same for link in links):
+        return None
+    for link in links:
+        match link:
+            case Link(Apply("sin" | "cos" | "tan", own), "=", right) if own in names:
+                value = _at(right, values)
+                if value is not None and _agree(link.left, value, side):
+                    ratio = _side(Link(link.left, "=", tree_of(value)), naming)
+                    return say("refuted.by-ratio", ratio=ratio, side=_side(side, naming))
+    return None
+
+
+def _at(tree: Expression, values: Mapping[Expression, Any]) -> sp.Expr | None:
+    """What an expression is with values of its letters; None where it is no number."""
+    names = {link.name: value for link, value in values.items() if isinstance(link, Letter)}
+    if has_quantity(tree):
+        return None
+    try:
+        value = tidy(evaluate(tree, lambda name: names.get(name, sp.Symbol(name, positive=True))))
+    except (RestitutionError, ArithmeticError, TypeError, ValueError):
+        return None
+    return value if isinstance(value, sp.Expr) and value.is_real and value.is_finite else None
+
+
+def _agree(ratio: Expression, value: sp.Expr, side: Link) -> bool:
+    """Whether an angle of up to 180° with one ratio has the other, which then follows."""
+    assert isinstance(ratio, Apply)
+    assert isinstance(side.left, Apply)
+    inverse = {"sin": sp.asin, "cos": sp.acos, "tan": sp.atan}[ratio.function](value)
+    angle = inverse if inverse >= 0 else inverse + sp.pi
+    own = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[side.left.function](angle)
+    if ratio.function == "sin" and side.left.function != "sin":
+        return False  # it may be acute or obtuse
+    worth = in_letters(side.right)
+    return isinstance(worth, sp.Expr) and tidy(own - worth) == 0
 
 
 def _compared(

@@ -290,6 +290,11 @@ def _of_shares(work: Work, line: Line) -> bool:
     return bool(cited) and all(map(is_share_of_energy, cited))
 
 
+def _of_one_body(work: Work, line: Line) -> bool:
+    """It is about one body alone."""
+    return len(line.move.bodies) == 1
+
+
 def _at_sight(work: Work, line: Line) -> bool:
     """It rests on the statement alone; a right angle also on a component that stays zero."""
     square = line.move.record == "perpendicular"
@@ -675,6 +680,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "claim-without-method": _claim_without_method,
     "share-of-the-data": _is_share_of_the_data,
     "of-shares": _of_shares,
+    "of-one-body": _of_one_body,
     "of-an-offset": _of_an_offset,
     "restated": restated,
     "of-an-impulse": _of_an_impulse,

@@ -205,6 +205,7 @@ RULES: tuple[Rule, ...] = (
     _rule("chord", ("define",), "M", ("chord",)),
     _rule("angles-round-a-circle", ("define",), "M", ("round",)),
     _rule("share-of-what-is-given", ("put",), "M", when=("share-of-the-data",)),
+    _rule("energy-of-all", ("define",), "", ("total",), ("of-one-body",)),
     _rule("energy-that-goes-on", ("define",), "M", ENERGIES, ("inline",)),
     _rule("energy", ("define",), "M A", ENERGIES, ("alone",)),
     _rule("first-of-several-energies", ("define",), "M", ENERGIES, ("first-of-several",)),

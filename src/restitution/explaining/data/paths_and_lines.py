@@ -80,7 +80,7 @@ def angle_between(path: Expression, line: Expression) -> Expression | None:
 
     Up to a right angle, and one of degrees alone where nothing has to be worked out.
     """
-    turns = _in_degrees(path), _in_degrees(line)
+    turns = in_degrees(path), in_degrees(line)
     if turns[0] is None or turns[1] is None:
         return None
     return next(
@@ -117,7 +117,8 @@ def _less(first: Expression, second: Expression) -> Expression:
     return Binary("-", first, second)
 
 
-def _in_degrees(angle: Expression) -> Fraction | None:
+def in_degrees(angle: Expression) -> Fraction | None:
+    """An angle as a number of degrees; None where it is none."""
     match angle:
         case Degrees(value):
             return value
@@ -146,4 +147,11 @@ def _least(turn: Fraction) -> Fraction:
     return min(rest, 180 - rest)
 
 
-__all__ = ["angle_between", "angles_between", "degrees_of", "turn_of_line", "turn_of_path"]
+__all__ = [
+    "angle_between",
+    "angles_between",
+    "degrees_of",
+    "in_degrees",
+    "turn_of_line",
+    "turn_of_path",
+]

@@ -130,6 +130,7 @@ def total(step: Step, event: Event | None) -> Iterator[Link]:
             if terms:
                 yield Link(Quantity("energy", (), stage), "=", total_of(terms))
         yield from _of_vectors_and_components(step, event, stage, cited)
+        yield from _without_the_others(step, event, stage)
     if event is not None and event.kind == "impact":
         lost = Quantity("energy_lost", (), number)
         bodies = step.setting.spheres
@@ -139,6 +140,21 @@ def total(step: Step, event: Event | None) -> Iterator[Link]:
             before = Quantity("energy", early, number - 1)
             yield Link(Quantity("energy", late, number), "=", Binary("-", before, lost))
     yield from _of_given_speeds(step)
+
+
+def _without_the_others(step: Step, event: Event | None, stage: int) -> Iterator[Link]:
+    """The energy of one sphere: that of all, without those of the others."""
+    whole = Quantity("energy", (), stage)
+    for body in step.move.bodies if len(step.move.bodies) == 1 else ():
+        for form in ("components", "vectors"):
+            others = [
+                _kinetic(step, form, other, stage, event)
+                for other in step.setting.spheres
+                if other != body
+            ]
+            if others:
+                own = Quantity("energy", (Name(body),), stage)
+                yield Link(own, "=", Binary("-", whole, total_of(others)))
 
 
 def _of_vectors_and_components(

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from fractions import Fraction
+
 import sympy as sp
 
 from restitution.exact.symbols import symbol_names
+from restitution.explaining.data.paths_and_lines import in_degrees
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines.derivation import Link, Meaning, Note, Relation
 from restitution.explaining.lines.generators import Value
@@ -12,10 +16,11 @@ from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.explaining.lines.trees import of_relation
 from restitution.explaining.steps.step import Step
 from restitution.expression.quantities import ANGLES
-from restitution.expression.tree import Quantity, walk
+from restitution.expression.tree import Name, Number, Quantity, Unit, walk
 from restitution.oracle import BeyondError, Oracle, compared, negation
 
 _WORDS = frozenset({"parallel to", "perpendicular to", "≈"})
+_ZERO = Number(Fraction(0))
 
 
 def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = False) -> bool:
@@ -88,10 +93,49 @@ def _is_against(step: Step, own: Cited) -> bool:
     relation = own.relation
     if isinstance(own.ref, int) or isinstance(relation, Meaning) or len(relation.options) != 1:
         return False
+    others = step.under(cited=tuple(premise for premise in step.cited if premise is not own))
+    if any(_points_elsewhere(others, link) for link in relation.only):
+        return True
     if any(map(_is_beyond, relation.only)):
         return False
-    others = step.under(cited=tuple(premise for premise in step.cited if premise is not own))
     return _is_refuted(others, relation.only)
+
+
+def _points_elsewhere(step: Step, link: Link) -> bool:
+    """Whether a velocity has a component against the direction that is given of it in degrees."""
+    oracle = Oracle(step.roles)
+    for component, cosine in _components_told(link):
+        value = step.residual(Link(step.setting.quantity(component), "=", _ZERO), step.rules())
+        if isinstance(value, Plane):
+            continue
+        gap = step.world.expression(value, step.roles)
+        signs = {1: ("<=",), -1: (">=",), 0: ("<", ">")}[cosine]
+        if symbol_names(gap) <= step.roles.keys() and any(
+            oracle.proves(compared(gap, sign, sp.Integer(0))) for sign in signs
+        ):
+            return True
+    return False
+
+
+def _components_told(link: Link) -> Iterator[tuple[Quantity, int]]:
+    """Components of a velocity, each with the sign that its direction in degrees gives it."""
+    degrees = in_degrees(link.right) if link.sign == "=" else None
+    if degrees is None:
+        return
+    match link.left:
+        case Quantity("direction", (Name() as body,), int(stage)):
+            velocity = Quantity("velocity", (body,), stage)
+            for axis, turn in ((Unit("i"), degrees), (Unit("j"), degrees - 90)):
+                yield Quantity("along", (velocity, axis)), _sign_of_cosine(turn)
+        case Quantity("angle", (Quantity("velocity") as velocity, Unit() as unit)) | Quantity(
+            "angle", (Unit() as unit, Quantity("velocity") as velocity)
+        ):
+            yield Quantity("along", (velocity, unit)), _sign_of_cosine(degrees)
+
+
+def _sign_of_cosine(degrees: Fraction) -> int:
+    turn = abs((degrees + 180) % 360 - 180)
+    return 1 if turn < 90 else -1 if turn > 90 else 0
 
 
 def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:

@@ -76,6 +76,8 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
     alone = tuple(names) == tuple(scene.model.story.spheres)
     if (alone or not names) and (left := _left_of_energy(scene, quantity)) is not None:
         return left
+    if (whole := _all_of_it(scene, quantity)) is not None:
+        return whole
     bodies = names or list(scene.model.story.spheres)
     terms: list[Expression] = []
     values: list[Any] = []
@@ -101,6 +103,27 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
     return Formula(
         move, itself, quantity, total(terms), tidy(expanded(sum(values))), together(refs)
     )
+
+
+def _all_of_it(scene: Scene, quantity: Quantity) -> Formula | None:
+    """The energy of one sphere by a line of that of all, where the others are at rest."""
+    match quantity:
+        case Quantity("energy", (Name(body),), int(stage)) if len(scene.model.story.spheres) > 1:
+            known = scene.desk.known(Quantity("energy", (), stage))
+        case _:
+            return None
+    if known is None or len(numbers_in(known.refs)) != 1 or scene.unknown(known.value):
+        return None
+    refs: list[Ref] = []
+    for other in scene.model.story.spheres:
+        if other != body:
+            velocity = velocity_source(scene, other, scene.last_event(other, stage))
+            if any(velocity.value):
+                return None
+            refs += velocity.refs
+    move = Move("define", "total", stage or None, (body,))
+    value = tidy(known.value)
+    return Formula(move, itself, quantity, tree_of(value), value, together(known.refs, refs))
 
 
 def _speed_before(scene: Scene, body: str, stage: int) -> None:

@@ -74,6 +74,7 @@ from restitution.planning.routes.named_expressions import end_named_expression
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.angle_ratios import (
+    given_ratio,
     range_of,
     ratio_of_degrees,
     write_other_ratio,
@@ -423,15 +424,18 @@ def _defining(scene: Scene, asked: Letter) -> Fact | None:
 
 
 def _by_its_given_ratio(scene: Scene, letter: str) -> Source | None:
-    """An angle of which the data give the sine, the cosine or the tangent as a number."""
-    fact = scene.ratio_facts.get(letter)
-    if fact is None:
+    """An angle of which the data give the sine, the cosine or the tangent, or those of half."""
+    if letter not in scene.ratio_facts:
         return None
+    own, worth, ref = given_ratio(scene, letter)
     value = scene.final(scene.model.unknowns.letter(letter))
-    relation = chain(Letter(letter), (tree_of(value, angle=True, as_it_is=True), None))
-    premises = fact.id, range_of(scene, letter)
-    line = scene.judge.write((Move("inverse"),), premises, relation)
-    return None if line is None else scene.desk.know(Letter(letter), value, (line,))
+    right = tree_of(value, angle=True, as_it_is=True)
+    if isinstance(ref, int) and not (value / sp.pi).is_Rational:
+        right = Apply(f"arc{own.function}", worth)
+    relation = chain(Letter(letter), (right, None))
+    line = scene.judge.write((Move("inverse"),), (ref, range_of(scene, letter)), relation)
+    known = scene.scalar(right)
+    return None if line is None else scene.desk.know(Letter(letter), known, (line,))
 
 
 def _line_of(scene: Scene, asked: Expression, known: Source) -> int:

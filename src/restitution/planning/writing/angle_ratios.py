@@ -11,7 +11,7 @@ from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Fact, Link, Move, MoveId, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter
+from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, Number
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
 from restitution.planning.writing.forms import ONE, TWO, difference, product, square, total, tree_of
 from restitution.planning.writing.judging import Judge
@@ -72,14 +72,31 @@ RECIPROCALS = {"cot": "tan", "sec": "cos", "cosec": "sin"}
 """Ratios of angles, each with the one of which it is the reciprocal."""
 
 
+def letter_of_a_ratio(kind: str, angle: Expression) -> str | None:
+    """The letter of an angle of which a ratio is given, or one of half of it; None of others."""
+    match angle:
+        case Letter(name) if kind in ("sin", "cos", "tan", *RECIPROCALS):
+            return name
+        case Binary("/", Letter(name), Number(value)) if kind in ("sin", "cos", "tan"):
+            return name if value == 2 else None
+        case Binary("*", Binary("/", Number(), Number()) as half, Letter(name)) if half == _HALF_OF:
+            return name if kind in ("sin", "cos", "tan") else None
+    return None
+
+
+_HALF_OF = Binary("/", ONE, TWO)
+
+
 def given_ratio(scene: Angles, name: str) -> tuple[Apply, Expression, Ref]:
     """The sine, cosine or tangent of an angle that is given, its value, and what says so.
 
-    A reciprocal of one that is given is turned over first.
+    A reciprocal of one that is given is turned over first; of half the angle it is doubled.
     """
     fact = scene.ratio_facts[name]
     (link,) = fact.relation.only
     assert isinstance(link.left, Apply)
+    if not isinstance(link.left.argument, Letter):
+        return _doubled(scene, link.left, link.right, fact.id, Letter(name))
     plain = RECIPROCALS.get(link.left.function)
     if plain is None:
         return link.left, link.right, fact.id
@@ -87,6 +104,26 @@ def given_ratio(scene: Angles, name: str) -> tuple[Apply, Expression, Ref]:
     right = tree_of(tidy(1 / scene.scalar(link.right)))
     first = scene.desk.write(Move("fact"), (fact.id,), fact.relation)
     return own, right, scene.desk.write(Move("rearrange"), (first,), chain(own, (right, None)))
+
+
+def _doubled(
+    scene: Angles, own: Apply, worth: Expression, ref: Ref, letter: Letter
+) -> tuple[Apply, Expression, Ref]:
+    """``cos α = 1 − 2 sin²(α/2) = 7/25``, or the tangent of α by that of α/2, as it is given."""
+
+    def by(value: Expression) -> Expression:
+        if own.function == "tan":
+            return Binary("/", product(TWO, value), difference(ONE, square(value)))
+        twice = product(TWO, square(value))
+        return difference(ONE, twice) if own.function == "sin" else difference(twice, ONE)
+
+    asked = Apply("tan" if own.function == "tan" else "cos", letter)
+    final = tree_of(tidy(scene.scalar(by(worth))))
+    relation = chain(asked, (by(own), None), (by(worth), "put"), (final, "rearrange"))
+    number = scene.judge.write((Move("identity", "double-angle"),), (ref,), relation)
+    if number is None:
+        raise NotPlannedError("a ratio of half an angle")
+    return asked, final, number
 
 
 def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:

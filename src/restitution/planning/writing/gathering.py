@@ -21,8 +21,10 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Apply,
+    AtTime,
     Expression,
     Letter,
     Name,
@@ -274,6 +276,8 @@ class _Gathering:
         for line in tuple(self._order):
             if letter_of_offset(line) is not None:
                 self._raise_to_the_start(line)
+        for item in self._parts:
+            self._raise_an_item(item)
         return numbered_anew(self._derivation, self._order)
 
     # --- the order of the story -------------------------------------------------------------------
@@ -344,6 +348,48 @@ class _Gathering:
         to = next(later, at)
         if self._may_stand(line, to):
             order.insert(to, order.pop(at))
+
+    def _raise_an_item(self, item: str) -> None:
+        """Puts an item about one impact below the others of it, before the next one.
+
+        So what is asked after the first impact stands under its heading.
+        """
+        order = self._order
+        own = [line for line in order if line.item == item]
+        events = {line.move.event or self._event(line) or 0 for line in own}
+        ended = any(line.number in self._ended for line in own)
+        if not ended or not max(events, default=0) or self._cases:
+            return
+        if self._still_holds(item, max(events)):
+            return
+        at = order.index(own[0])
+        later = (
+            n
+            for n in range(at)
+            if self._place(order[n]) == self._place(own[0])
+            and max(order[n].move.event or 0, self._event(order[n]) or 0) > max(events)
+        )
+        to = next(later, at)
+        written = {line.number for line in (*order[:to], *own)}
+        if to < at and all(
+            ref in written for line in own for ref in line.premises if isinstance(ref, int)
+        ):
+            left = [line for line in order[to:] if line.item != item]
+            self._order = [*(line for line in order[:to]), *own, *left]
+
+    def _still_holds(self, item: str, event: int) -> bool:
+        """Whether an item is about bodies that no later impact changes, or about a time."""
+        end = next(end for end in self._derivation.items if end.item == item)
+        subject = end.answer.options[0][0].left
+        if isinstance(subject, Letter) and subject.name in self._derivation.meanings:
+            subject = self._derivation.meanings[subject.name].quantity
+        quantities = [node for node in walk(subject) if isinstance(node, Quantity)]
+        if any(isinstance(quantity.stage, AtTime) for quantity in quantities):
+            return True  # at a time that may be after any impact
+        names = {node.name for node in walk(subject) if isinstance(node, Name)}
+        later = {name for n, bodies in self._bodies.items() if n > event for name in bodies}
+        of_an_event = any(KINDS[quantity.kind].of_an_event for quantity in quantities)
+        return bool(names) and not of_an_event and not names & later
 
     @staticmethod
     def _event(line: Line) -> int | None:

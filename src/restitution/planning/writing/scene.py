@@ -31,7 +31,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.angle_ratios import (
-    RECIPROCALS,
+    letter_of_a_ratio,
     ratio_of_a_multiple,
     write_complement,
     write_other_ratio,
@@ -53,7 +53,6 @@ from restitution.vector import Vector
 
 # A letter is put in so often, since what is put in for others may hold it.
 _MOST = 4
-_GIVEN = frozenset(("sin", "cos", "tan", *RECIPROCALS))
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
@@ -483,9 +482,10 @@ class Scene:
             if fact.kind != "given" or not self.desk.holds(fact.id):
                 continue
             match fact.relation.options:
-                case (((Link(Apply(kind, Letter(name)), "=", right)),),) if kind in _GIVEN:
-                    if not self.scalar(right).free_symbols and f"let {name}" not in self.facts:
-                        facts[name] = fact
+                case (((Link(Apply(kind, angle), "=", right)),),):
+                    name = letter_of_a_ratio(kind, angle)
+                    if name and f"let {name}" not in self.facts:
+                        facts |= {} if self.scalar(right).free_symbols else {name: fact}
         return facts
 
     @cached_property

@@ -50,6 +50,7 @@ class Staying:
         self._lines = {line.number: line for line in derivation.lines}
         self._facts = {fact.id: fact for fact in derivation.facts}
         self._cases = {n: case.number for case in derivation.cases for n in case.lines}
+        self._noted = {n for note in derivation.notes for n in note.lines}
 
     def stays(self, line: Line) -> bool:
         """Whether a line tells of a component that stays, and no more than that."""
@@ -74,13 +75,14 @@ class Staying:
     def is_idle(self, line: Line) -> bool:
         """Whether a line says that a component stays 0, and earns nothing.
 
-        One that was worked out to be 0 is said to stay so.
+        One that was worked out to be 0 is said to stay so, as is one that contradicts the data.
         """
         relation = line.relation
         return (
             isinstance(relation, Relation)
             and relation.only[-1].right == Number(Fraction(0))
             and not line.marks
+            and line.number not in self._noted
             and not (line.move.record == "unchanged" and any(map(self._is_product, line.premises)))
         )
 

@@ -216,6 +216,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 return say("derived-opposite.change", one=body, other=other)
             case "energy-ratio" | "energy-lost" | "total-lost", _:
                 return self._of_energy(record, line, event)
+            case "total", _ if line.move.bodies:
+                return self._of_all(*line.move.bodies)
             case "energy" | "total", Binary("^", Quantity("speed")):
                 return "derived-energy.speed"
             case "tan-deflection", Apply("cot"):
@@ -335,6 +337,18 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         of_the_data = not any(isinstance(ref, int) for ref in line.premises)
         kicked = event is not None and event.kind == "kick"
         return "derived-energy.title" if of_the_data or by_speeds or kicked else record.title(event)
+
+    def _of_all(self, body: str) -> Sentence:
+        """That the kinetic energy of one sphere is all that there is."""
+        spheres = (e.id.partition(" ")[2] for e in self._derivation.facts)
+        others = [
+            name
+            for name in dict.fromkeys(spheres)
+            if self._naming.bodies.get(name) == "sphere" and name != body
+        ]
+        if len(others) == 1:
+            return say("derived-energy.other-at-rest", other=others[0], body=body)
+        return say("derived-energy.others-at-rest", others=tuple(others), body=body)
 
     def _sentence(
         self, name: SentenceId, line: Line, event: Event | None, bodies: tuple[str, ...]

@@ -188,7 +188,8 @@ class Ends:
                 last = max(
                     n
                     for n, line in enumerate(lines, 1)
-                    if line.item is not None and order[line.item] <= order[end.item]
+                    if line.item is not None
+                    and order[first.item] <= order[line.item] <= order[end.item]
                 )
                 apart = last > numbers.index(end.line) + 1
                 if apart and end.answer == first.answer and end not in places.get(last, ()):

@@ -338,7 +338,11 @@ class Naming(Moments):
                 return say("derived.impulse-given", of=(body,))
             case Quantity("energy", bodies, stage):
                 words = self._energy(bodies)
-                if isinstance(stage, int) and stage and self._is_beside_other_times(tree):
+                if (
+                    isinstance(stage, int)
+                    and stage
+                    and (self._is_beside_other_times(tree) or self._changes_later(bodies, stage))
+                ):
                     return say("derived.when", quantity=words, when=self._plain_when(stage))
                 return self._after(words, tree, None)
             case Quantity("total_energy_lost", _, _):
@@ -415,6 +419,11 @@ class Naming(Moments):
             )
             for quantity in self.terms.often
         )
+
+    def _changes_later(self, bodies: tuple[Expression, ...], stage: int) -> bool:
+        """Whether a later impact changes the energy of some bodies, or of all without any."""
+        names: list[str | None] = [body.name for body in bodies if isinstance(body, Name)]
+        return any(stage < self.last(name) for name in names or [None])
 
     def _is_beside_other_times(self, tree: Quantity) -> bool:
         """Whether the working speaks of an energy at another time, or so of one of another body."""

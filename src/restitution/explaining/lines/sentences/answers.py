@@ -69,6 +69,14 @@ SENTENCES: Mapping[str, str] = {
         "{value} is not zero, as {reasons:and}. But it is given that {fact}. So the data "
         "contradict each other."
     ),
+    "note.against-sense": (
+        "{value} is positive, as {reasons:and}. But it is given that {fact}. So the data "
+        "contradict each other."
+    ),
+    "note.against-opposite": (
+        "{value} is negative, as {reasons:and}. But it is given that {fact}. So the data "
+        "contradict each other."
+    ),
     "note.unwritten": "{item:capital} is {answer}. The working of this is not written out.",
     "note.unwritten-line": "The working of this is not written out:",
     "note.unwritten-line-from": "The steps from here are not written out:",

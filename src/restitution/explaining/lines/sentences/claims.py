@@ -64,6 +64,7 @@ SENTENCES: Mapping[str, str] = {
         "It is not true that {claim}: {letter} is {value}, for instance, when {values:and}."
     ),
     "refuted.sides": "{sides:and}",
+    "refuted.by-ratio": "{ratio}, so {side}",
     "refuted.but": "{one}, but {other}",
     "refuted.less": "{sides:and}, which is less",
     "refuted.more": "{sides:and}, which is more",

@@ -56,5 +56,11 @@ SENTENCES: Mapping[str, str] = {
         "of the squares of the components. It has no direction: the energies of several bodies "
         "are added."
     ),
+    "derived-energy.other-at-rest": (
+        "As {other} is then at rest, the total kinetic energy is that of {body}"
+    ),
+    "derived-energy.others-at-rest": (
+        "As {others:and} are then at rest, the total kinetic energy is that of {body}"
+    ),
     "derived-energy.speed": "Speed, from the kinetic energy",
 }
