@@ -331,6 +331,9 @@ def test_who_is_met_again_at_rest_is_said_to_stay() -> None:
         BACK_TO_REST.format(mass="2m"),
         ["A is at rest, so it stays where it is. Time = distance ÷ speed", "t₃ − t₂ = 3/(2u/3)"],
     )
+    # Until it is struck: the line may stand below those that set it in motion.
+    struck = BACK_TO_REST.format(mass="2m").replace("time(3) - time(1)", "time(1)")
+    printed_with(struck, ["B is at rest until the first impact. Time = distance ÷ speed, for A:"])
     moving = printed_with(BACK_TO_REST.format(mass="3m"), ["t₃ − t₁ ="])
     assert "stays where it is" not in moving
 
@@ -362,3 +365,17 @@ def test_a_long_fraction_of_letters_has_its_decimal() -> None:
     )
     parts = ["= 81081mu²/40000 ≈ 2.03mu²", "magnitude of the impulse", "= 429mu/100"]
     assert "429mu/100 ≈" not in printed_with(text.format(item="impulse"), parts)
+
+
+def test_who_came_from_a_body_at_rest_does_not_say_so_on_the_way_to_a_wall() -> None:
+    to_a_wall = """
+wall W: along i, through (0, -2)
+sphere A: mass 1, at (-3, 0), velocity 6i
+sphere B: mass 1, at (0, 0), at rest
+A hits B: along 4i + 3j, e = 1/2
+A hits W: e = 1/2
+find time(2)
+"""
+    text = printed_with(to_a_wall, ["Time = distance ÷ speed parallel to the y-axis, for A:"])
+    assert text.count("B is at rest") == 1
+    assert "B is at rest until the first impact." in text

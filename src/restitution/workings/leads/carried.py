@@ -50,6 +50,7 @@ _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "derived-between.title-of",
     "derived-between.title-turned",
     "flight.time-to-rest",
+    "flight.time-to-rest-until",
     "flight.add",
     "flight.subtract",
     "made.fraction-lost",

@@ -52,6 +52,10 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         speed = speed_of_a_flight(derivation, naming, line)
         if (other := _stays_there(derivation, line)) is not None:
+            if _rests_from_the_start(derivation, other, line.move.event):
+                until = naming.called(naming.events[line.move.event or 0])
+                name = "flight.time-to-rest-until"
+                return say(name, body=body, other=other, event=until, speed=speed)
             return say("flight.time-to-rest", body=body, other=other, speed=speed)
         return (
             say("flight.time", speed=speed)
@@ -87,14 +91,29 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
 
 def _stays_there(derivation: Derivation, line: Line) -> str | None:
     """The body at rest that another one comes to, where no line is printed of its place."""
+    struck = _bodies_at(derivation, line.move.event)
     for own in derivation.lines_in(line.premises):
         match own.relation:
             case Relation(((Link(Quantity("position", (Name(other),)), "=", place), *_),)) if (
-                other not in line.move.bodies and is_of_a_body_at_rest(derivation, own)
+                other in struck
+                and other not in line.move.bodies
+                and is_of_a_body_at_rest(derivation, own)
             ):
                 if own.shown == "silent" or (is_zero(place) and own.number not in derivation.held):
                     return other
     return None
+
+
+def _bodies_at(derivation: Derivation, number: int | None) -> tuple[str, ...]:
+    """The bodies of an event."""
+    return next((event.bodies for event in derivation.events if event.number == number), ())
+
+
+def _rests_from_the_start(derivation: Derivation, body: str, number: int | None) -> bool:
+    """Whether nothing strikes a body before an event."""
+    return not any(
+        body in event.bodies for event in derivation.events if event.number < (number or 0)
+    )
 
 
 def _level_of(derivation: Derivation, line: Line, left: Expression) -> str | None:

@@ -105,6 +105,9 @@ SENTENCES: Mapping[str, str] = {
     "flight.time-to-rest": (
         "{other} is at rest, so it stays where it is. Time = distance ÷ {speed}, for {body}"
     ),
+    "flight.time-to-rest-until": (
+        "{other} is at rest until {event}. Time = distance ÷ {speed}, for {body}"
+    ),
     "flight.speed": "speed",
     "flight.speed-along": "speed parallel to the {axis}-axis",
     "flight.speed-across-wall": "speed perpendicular to {wall}",
