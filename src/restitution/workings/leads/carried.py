@@ -25,7 +25,7 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming, with_article
 from restitution.workings.naming.senses_at_walls import away, is_turned
-from restitution.workings.naming.sources import Sources
+from restitution.workings.naming.sources import Sources, is_time
 
 # These name what is put in.
 _PUTTING: frozenset[SentenceId] = frozenset(
@@ -281,7 +281,11 @@ def _is_a_value(line: Line) -> bool:
         and len(chains(relation.only)) == 1
         and relation.only[-1].sign == "="
         and not is_zero(relation.only[-1].right)
-        and (isinstance(relation.only[0].left, Letter | Quantity) or is_share_of_energy(line))
+        and (
+            isinstance(left := relation.only[0].left, Letter | Quantity)
+            or is_time(left)
+            or is_share_of_energy(line)
+        )
         and line.shown != "silent"
         and line.move.id not in ("triangle", "fact")
     )
