@@ -379,3 +379,17 @@ find time(2)
     text = printed_with(to_a_wall, ["Time = distance ÷ speed parallel to the y-axis, for A:"])
     assert text.count("B is at rest") == 1
     assert "B is at rest until the first impact." in text
+
+
+def test_two_equal_angles_have_one_cosine() -> None:
+    statement = """
+wall W: along i
+wall X: along j
+sphere P: velocity u at alpha to W
+P hits W
+P hits X
+given deflection(P, 1) = deflection(P, 2)
+find tan(alpha) in terms of e
+"""
+    text = printed_with(statement, ["δ = φ", "Since cos δ = cos φ:", "tan α = 1/√e"])
+    assert "for cos φ and δ" not in text

@@ -23,6 +23,7 @@ from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -43,6 +44,7 @@ from restitution.workings.naming.quantities import with_article
 from restitution.workings.naming.sources import Source, is_multiple
 from restitution.workings.reasons.grounds import compared_quantities, motion_of
 
+_RATIOS = ("cos", "sin", "tan")
 # What is subtracted, by the kinds of both.
 _DIFFERENCES: Mapping[tuple[str, str], SentenceId] = {
     ("energy", "energy"): "made.difference-of-energies",
@@ -161,7 +163,9 @@ class SourceLeads(LinesAround):
         is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
         moves = self._moves(source.facts)
         put = bool(letters) and not source.last
-        if facts and facts[0] == self._written(line):
+        if not facts and (ratios := self._equal_ratios(line)) is not None:
+            yield say("derived.since", facts=(ratios,))
+        elif facts and facts[0] == self._written(line):
             yield say("given.data")
         elif len(facts) == 1 and is_claim:
             yield self._meeting(source.facts[0], line) or say("given.fact", fact=facts[0])
@@ -197,6 +201,19 @@ class SourceLeads(LinesAround):
             yield say("derived.since", facts=(exchanged,))
         elif put:
             yield say("derived.put", letters=letters)
+
+    def _equal_ratios(self, line: Line) -> lay.Layout | None:
+        """``cos δ = cos φ`` where a line has the values of both, as the angles are equal."""
+        cited = [own for own in map(self._cited, line.premises) if own is not None]
+        pairs = [own.relation.only[0] for own in cited if _is_of_two_letters(own)]
+        lines = (own.relation for own in cited if isinstance(own.relation, Relation))
+        subjects = {relation.options[0][0].left for relation in lines}
+        for pair in pairs:
+            for ratio in _RATIOS:
+                both = (Apply(ratio, pair.left), Apply(ratio, pair.right))
+                if subjects.issuperset(both) and len(cited) == 3:
+                    return self._naming.relation(equality(*both))
+        return None
 
     def _axis_of_distances(self, line: Line) -> str | None:
         """The name of the coordinates that stand in the place of distances that are put in."""
@@ -373,6 +390,14 @@ class SourceLeads(LinesAround):
         fact = self._derivation.fact(name)
         assert fact is not None
         return fact_in_words(self._naming, fact)
+
+
+def _is_of_two_letters(line: Line) -> bool:
+    """Whether a line says that one letter is another."""
+    match line.relation:
+        case Relation(((Link(Letter(), "=", Letter()),),)):
+            return True
+    return False
 
 
 def _subject(relation: Relation) -> Expression | None:
