@@ -215,7 +215,9 @@ class Sources:
             # Below an answer it is a new thought, and says where it comes from.
             apart = bool(cited) and (cited[0] != above or above in self._ended)
             if apart and cited == [self._cases.get(line.number)]:
-                return Source("case")
+                own_cases = (c.lines for c in self._derivation.cases if line.number in c.lines)
+                begins = not any(above in numbers for numbers in own_cases)
+                return None if begins else Source("case")
             return Source("add", tuple(cited)) if apart else None
         if move == "rearrange" and not cited and (facts := self._given(line.premises)):
             return Source("put", facts=facts)
