@@ -164,12 +164,16 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         trees = {own: ratio_of(own, angle) for own in kinds}
         if ratio == "tan":
             trees |= _over_one_root(scene, known.value, trees)
-        links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
         by_calculator = known.value.has(sp.sin, sp.cos, sp.tan)
+        nested = nested or (known.value.is_number and not (known.value**2).is_rational)
         if ratio == "tan" and nested and known.value.is_number and not by_calculator:
             refs = (square_of_cosine(scene, letter, known),)
+            for own in kinds:
+                _write_by_its_square(scene, Apply(own, letter), trees[own], refs)
+            return
+        links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         premises = (*refs, range_of(scene, symbol.name))
         more = scene.judge.known(symbol_names(known.value))
         enough = scene.judge.enough(Move("triangle"), premises, Relation((links,)), more)
@@ -178,6 +182,19 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         for own in kinds:
             scene.desk.know(Apply(own, letter), trees[own], (number,))
         return
+
+
+def _write_by_its_square(
+    scene: Angles, ratio: Apply, value: sp.Expr, squares: tuple[Ref, ...]
+) -> None:
+    """``sin φ = √((7 − √33)/24) = (√33 − 3)/12`` by the square of the cosine."""
+    assert isinstance(ratio.argument, Letter)
+    root, last = Apply("sqrt", tree_of(tidy(expanded(value**2)))), tree_of(value)
+    premises = (*squares, range_of(scene, ratio.argument.name))
+    number = scene.desk.write(Move("triangle"), premises, chain(ratio, (root, None)))
+    if last != root:
+        number = scene.desk.write(Move("rearrange"), (number,), chain(ratio, (last, None)))
+    scene.desk.know(ratio, value, (number,))
 
 
 def _over_one_root(
