@@ -789,3 +789,16 @@ show speed(B) = u sin(beta - alpha)/sin(beta)
     assert "e = 1 − (2 tan α)/tan β Substituting in (3): speed of B = " in working
     assert "u(cos α sin β − sin α cos β)/sin β By the formulae for a sum of angles" in working
     assert "does not follow" not in working
+
+
+def test_a_sine_by_a_tangent_that_is_a_sum_of_roots_is_by_the_square_of_the_cosine() -> None:
+    text = """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset d, e = 1/2
+given deflection(A) = 30°
+find d
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "= (17 + √33)/24 sin φ = √((7 − √33)/24) = (√33 − 3)/12" in working
+    assert "If tan φ = (√11 + 3√3)/8: cos²φ" in working

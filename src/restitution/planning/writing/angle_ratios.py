@@ -166,13 +166,14 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
             trees |= _over_one_root(scene, known.value, trees)
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
-        by_calculator = known.value.has(sp.sin, sp.cos, sp.tan)
-        nested = nested or (known.value.is_number and not (known.value**2).is_rational)
-        if ratio == "tan" and nested and known.value.is_number and not by_calculator:
+        exact = known.value.is_number and not known.value.has(sp.sin, sp.cos, sp.tan)
+        of_roots = exact and not expanded(known.value**2).is_Rational
+        if ratio == "tan" and exact and (nested or of_roots):
             refs = (square_of_cosine(scene, letter, known),)
-            for own in kinds:
-                _write_by_its_square(scene, Apply(own, letter), trees[own], refs)
-            return
+            if not nested:
+                for own in kinds:
+                    _write_by_its_square(scene, Apply(own, letter), trees[own], refs)
+                return
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         premises = (*refs, range_of(scene, symbol.name))
         more = scene.judge.known(symbol_names(known.value))
