@@ -390,3 +390,18 @@ def test_a_deflection_is_the_difference_of_angles_that_stand() -> None:
     )
     assert "With β and θ from part (a): δ = β − θ = arctan(40/3) − arctan(4/3)" in whole
     assert "cos δ" not in whole
+
+
+def test_both_ends_of_a_claim_are_taken_at_ends_of_the_letter() -> None:
+    text = printed(
+        """
+sphere A: mass m, velocity 2u at 60°
+sphere B: mass 2m, velocity -v i
+A hits B: along i
+given B at rest
+find v in terms of u, e
+show u/2 <= v <= 2u
+"""
+    )
+    reason = "0 ≤ e ≤ 1 and it is u/2 if e = 0 and 2u if e = 1 (as required)"
+    assert f"as (1 + e)u/(2 − e) increases with e, {reason}" in " ".join(text.split())

@@ -138,19 +138,35 @@ def limit_at_an_end(
     return None
 
 
-def reached_at_an_end(
-    tree: Expression, bound: Relation, name: str, ends: Sequence[Link]
-) -> tuple[Expression, Expression] | None:
-    """The one bound that a tree has at an end that belongs to its letter, and that end."""
-    if len(bound.only) > 1 or len(bound.only[0].sign) != 2:
+def reached_at_ends(
+    tree: Expression, subject: Expression, bound: Relation, name: str, ends: Sequence[Link]
+) -> tuple[tuple[Expression, Expression], ...]:
+    """The bounds that a tree has at ends that belong to its letter, each with its end.
+
+    None where a bound that belongs to the subject is not taken so.
+    """
+    pairs: list[tuple[Expression, Expression]] = []
+    for link in bound.only:
+        side = link.right if link.left == subject else link.left
+        own = _reached(tree, side, name, ends) if len(link.sign) == 2 else None
+        if own is None:
+            return ()
+        pairs.append((side, own))
+    return tuple(pairs)
+
+
+def _reached(
+    tree: Expression, side: Expression, name: str, ends: Sequence[Link]
+) -> Expression | None:
+    """The end of a letter, one that belongs to it, at which a tree is as great as a bound."""
+    if has_quantity(side) or name in letters(side):
         return None
-    sides = [e for e in (bound.only[0].left, bound.only[0].right) if not has_quantity(e)]
-    for end in ends if len(sides) == 1 and name not in letters(sides[0]) else ():
+    for end in ends:
         at = end.left if end.right == Letter(name) else end.right
         if Letter(name) not in (end.left, end.right) or len(end.sign) != 2 or letters(at):
             continue
-        if _agrees(tree, name, worth(at, name, sp.Integer(0)), sides[0]):
-            return sides[0], at
+        if _agrees(tree, name, worth(at, name, sp.Integer(0)), side):
+            return at
     return None
 
 

@@ -32,7 +32,7 @@ from restitution.planning.writing.forms import factors
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.reasons.growing import growth, limit_at_an_end, reached_at_an_end, way_of
+from restitution.workings.reasons.growing import growth, limit_at_an_end, reached_at_ends, way_of
 from restitution.workings.reasons.seen import growth_said, less_than_its_limit, shown
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons, is_short
 
@@ -139,10 +139,19 @@ class GrowthReasons:
             low = Link(Letter(name), ">", ZERO)
             yield say("derived.fact", fact=self._naming.relation(Relation(((low,),))))
         elif any(end.line == line.number and end.shown for end in self._derivation.items):
-            reached = reached_at_an_end(above.right, line.relation, name, ends)
-            if reached is not None:
-                at = self._naming.relation(equality(Letter(name), reached[1]))
-                yield say("derived.it-is", value=self._layout(reached[0]), at=at)
+            reached = [
+                (self._layout(value), self._naming.relation(equality(Letter(name), end)))
+                for value, end in reached_at_ends(
+                    above.right, above.left, line.relation, name, ends
+                )
+            ]
+            if len(reached) == 1:
+                ((value, at),) = reached
+                yield say("derived.it-is", value=value, at=at)
+                return
+            if reached:
+                (low, first), (high, last) = reached
+                yield say("derived.it-is-at-both", low=low, first=first, high=high, last=last)
                 return
             limit = limit_at_an_end(above.right, line.relation, name, ends) or (None, None)
             yield from self._tending(above.left, name, limit, named, ())
