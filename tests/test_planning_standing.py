@@ -405,3 +405,15 @@ show u/2 <= v <= 2u
     )
     reason = "0 ≤ e ≤ 1 and it is u/2 if e = 0 and 2u if e = 1 (as required)"
     assert f"as (1 + e)u/(2 − e) increases with e, {reason}" in " ".join(text.split())
+
+
+def test_a_direction_from_a_slanting_wall_says_on_which_side_of_it_the_path_is() -> None:
+    statement = (
+        "wall W: along {w}\nsphere P: velocity 8 at {p}\nP hits W: e = 1/2\nfind direction(P)"
+    )
+    below = " ".join(printed(statement.format(w="30°", p="75°")).split())
+    side = "P leaves it on the side from which it came, clockwise of W."
+    assert f"W is at 30° to 𝐢, and {side}" in below
+    assert "angle from 𝐢 to 𝐯_P = 30° − arctan(1/2)" in below
+    above = " ".join(printed(statement.format(w="20°", p="-30°")).split())
+    assert "the side from which it came, anticlockwise of W." in above

@@ -16,6 +16,7 @@ from restitution.explaining.lines.derivation import (
     equality,
 )
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     RIGHT_ANGLE,
@@ -73,6 +74,12 @@ _BETWEEN = {
     "square": "between.square-same",
     "square-and-more": "between.square-opposite",
     "straight": "between.right",
+}
+
+# On which side of a wall, as it is given, a body leaves it: by the sign before its angle to it.
+_SIDES_OF_WALLS: dict[str, SentenceId] = {
+    "+": "from-wall.anticlockwise",
+    "-": "from-wall.clockwise",
 }
 
 
@@ -400,6 +407,10 @@ class TurnLeads(LinesAround):
         if turn is None:
             return None
         slots = {"angle": self._naming.layout(turn), "axis": self._naming.layout(Unit("i"))}
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].right:
+            case Binary("+" | "-" as sign, own, _) if own == turn:
+                return say(_SIDES_OF_WALLS[sign], wall=wall, body=body, **slots)
         if any(turn in walk(tree) for tree in trees_of(line.relation)):
             return say("from-wall.direction", wall=wall, **slots)
         return say("from-wall.direction-back", wall=wall, body=body, **slots)

@@ -115,6 +115,14 @@ SENTENCES: Mapping[str, str] = {
         "The angle between the path and {next}, from that between the path and {wall}:"
     ),
     "from-wall.direction": "{wall} is at {angle} to {axis}. Direction of motion:",
+    "from-wall.clockwise": (
+        "{wall} is at {angle} to {axis}, and {body} leaves it on the side from which it came, "
+        "clockwise of {wall}. Direction of motion:"
+    ),
+    "from-wall.anticlockwise": (
+        "{wall} is at {angle} to {axis}, and {body} leaves it on the side from which it came, "
+        "anticlockwise of {wall}. Direction of motion:"
+    ),
     "from-wall.direction-back": (
         "{wall} is at {angle} to {axis}, and {body} moves the opposite way along it. Direction of "
         "motion:"
