@@ -36,6 +36,10 @@ class UnitVectors:
         self._derivation = derivation
         self._naming = naming
         self._done: set[int] = set()
+        # Where the data leave its side open, it is said with the side that is taken.
+        self._chosen = {
+            line.move.event for line in derivation.lines if line.move.record == "either-side"
+        } & {line.move.event for line in derivation.lines if line.move.record == "component"}
 
     def before(self, line: Line) -> Iterator[Sentence]:
         """What the unit vector in a line is, and from which angle it comes."""
@@ -48,7 +52,7 @@ class UnitVectors:
             case _:
                 return
         self._done.add(event.number)
-        if unit is None or self._is_known(event, line):
+        if unit is None or self._is_known(event, line) or event.number in self._chosen:
             return
         sides = [self._naming.layout(unit)]
         if (by_angle := self._by_its_angle(event, unit)) is not None:
