@@ -421,6 +421,7 @@ def test_a_direction_from_a_slanting_wall_says_on_which_side_of_it_the_path_is()
 
 def test_the_unit_vector_of_a_side_that_is_taken_is_said_once() -> None:
     text = printed(
-        "wall W\nsphere P: velocity 5i\nP hits W: e = 1/2\ngiven angle(i, W) = 30°\nfind velocity(P)"
+        "wall W\nsphere P: velocity 5i\nP hits W: e = 1/2\n"
+        "given angle(i, W) = 30°\nfind velocity(P)"
     )
     assert " ".join(text.split()).lower().count("unit vector perpendicular to w") == 1
