@@ -205,9 +205,9 @@ class SourceLeads(LinesAround):
     def _equal_ratios(self, line: Line) -> lay.Layout | None:
         """``cos δ = cos φ`` where a line has the values of both, as the angles are equal."""
         cited = [own for own in map(self._cited, line.premises) if own is not None]
-        pairs = [own.relation.only[0] for own in cited if _is_of_two_letters(own)]
-        lines = (own.relation for own in cited if isinstance(own.relation, Relation))
-        subjects = {relation.options[0][0].left for relation in lines}
+        relations = [own.relation for own in cited if isinstance(own.relation, Relation)]
+        pairs = [relation.only[0] for relation in relations if _is_of_two_letters(relation)]
+        subjects = {relation.options[0][0].left for relation in relations}
         for pair in pairs:
             for ratio in _RATIOS:
                 both = (Apply(ratio, pair.left), Apply(ratio, pair.right))
@@ -392,9 +392,9 @@ class SourceLeads(LinesAround):
         return fact_in_words(self._naming, fact)
 
 
-def _is_of_two_letters(line: Line) -> bool:
+def _is_of_two_letters(relation: Relation) -> bool:
     """Whether a line says that one letter is another."""
-    match line.relation:
+    match relation:
         case Relation(((Link(Letter(), "=", Letter()),),)):
             return True
     return False

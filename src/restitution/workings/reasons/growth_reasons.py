@@ -150,8 +150,8 @@ class GrowthReasons:
                 yield say("derived.it-is", value=value, at=at)
                 return
             if reached:
-                (low, first), (high, last) = reached
-                yield say("derived.it-is-at-both", low=low, first=first, high=high, last=last)
+                (least, first), (most, last) = reached
+                yield say("derived.it-is-at-both", low=least, first=first, high=most, last=last)
                 return
             limit = limit_at_an_end(above.right, line.relation, name, ends) or (None, None)
             yield from self._tending(above.left, name, limit, named, ())
