@@ -92,3 +92,65 @@ def test_a_part_without_a_heading_says_at_which_impact() -> None:
         ),
     )
     assert "kinetic energy lost =" not in text
+
+
+WALL_THEN_SPHERE = """
+wall W: along i
+sphere A: mass m, velocity u at 45° to W
+sphere B: mass 2m, velocity u j
+A hits W: e = 1/2
+A hits B: along i, e = 1/4
+find deflection(A, 1), deflection(A)
+"""
+NAMED_BY_THE_QUESTION = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+let theta = direction(P)
+find tan(theta), deflection(P)
+"""
+CORNER = """
+wall AB: along i
+wall BC: along {way}
+sphere P: velocity u at alpha to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+find angle(AB, BC)
+"""
+
+
+def test_an_angle_that_has_a_letter_gets_no_second_one() -> None:
+    text = printed_with(
+        WALL_THEN_SPHERE,
+        (
+            "Let β be the angle between 𝐯_A1 and W.",
+            "W is parallel to the line of centres, so the angle between 𝐯_A1 and that line is β",
+            "δ = θ − β",
+        ),
+    )
+    assert "φ" not in text
+
+
+def test_an_angle_that_the_question_names_gets_no_second_letter() -> None:
+    text = printed_with(
+        NAMED_BY_THE_QUESTION,
+        (
+            "tan θ = ½u sin α/(u cos α) = ½ tan α",
+            "W is along 𝐢, so the angle between 𝐯_P and W is θ too.",
+            "angle of deflection of P = α + θ",
+        ),
+    )
+    assert "β" not in text
+
+
+def test_the_angle_between_slanting_walls_is_acute() -> None:
+    assert "acute angle between AB and BC" in printed_with(CORNER.format(way="120°"), ("β = 60°",))
+    assert "acute" not in printed_with(CORNER.format(way="j"), ("β = 90°",))
+
+
+def test_an_exact_component_is_not_rounded() -> None:
+    printed_with(
+        "sphere A: mass 2, velocity 4i + j\nsphere B: mass 1, velocity -i\n"
+        "A hits B: along i, e = 3/5\nfind velocity(A)\n",
+        ("𝐯_A = (4/3)𝐢 + 𝐣 ≈ (1.33𝐢 + 𝐣) m s⁻¹",),
+    )

@@ -43,6 +43,7 @@ from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
 from restitution.workings.leads.meetings import meetings
 from restitution.workings.leads.radii import Radii
+from restitution.workings.leads.same_angles import SameAngles
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.leads.sides import Sides
 from restitution.workings.leads.staying import Staying
@@ -191,6 +192,7 @@ class _Writer:
         self.notes = Notes(derivation, self.naming, self.ends, self.rows.in_figures)
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
+        self.same_angles = SameAngles(derivation, self.naming)
         self.units = UnitVectors(derivation, self.naming)
         self.staying = Staying(
             derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
@@ -342,6 +344,7 @@ class _Writer:
         touching = (
             *self.radii.before(line),
             *self.sides.before(line),
+            *self.same_angles.before(line),
             *self.units.before(line),
         )
         if touching:

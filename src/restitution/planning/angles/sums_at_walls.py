@@ -26,6 +26,7 @@ from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import TWO, product, total, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.given_angles import given_angle, given_by_its_ratio
+from restitution.planning.writing.same_angles import by_the_first_letter
 from restitution.planning.writing.scene import Scene
 
 
@@ -73,6 +74,11 @@ def write_sum(scene: Scene, asked: Quantity, angle_line: Callable[[Scene, Quanti
             refs.append(line)
             continue
         letter, meaning = letter_of(scene, quantity)
+        first = None if isinstance(own.right, Degrees) else by_the_first_letter(scene, line)
+        if first is not None:
+            names.append(first[0])
+            refs += [*first[1], meaning]
+            continue
         names.append(own.right if isinstance(own.right, Degrees) else Letter(letter))
         refs += [line, meaning]
     right = total(terms)

@@ -21,7 +21,6 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Name,
     Quantity,
     is_function,
     letters,
@@ -142,7 +141,7 @@ def _by_its_first_letter(
         if above is None or above.move.record != "difference" or above.number <= since:
             continue
         link = desk.last_link(above.number)
-        if not isinstance(link.right, Letter) or _is_to_a_wall(scene, link.right):
+        if not isinstance(link.right, Letter):
             continue
         for number in (line, above.number):
             desk.lines[number - 1] = replace(desk.line(number), shown="silent")
@@ -386,21 +385,11 @@ def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:
         link = desk.last_link(ref)
         if link.left != term.angle or not isinstance(link.right, Letter):
             continue
-        if len({_is_to_a_wall(scene, letter) for letter in (link.left, link.right)}) > 1:
-            continue  # that the wall is parallel to the line of centres has to be said
         for number in (line, ref):
             desk.lines[number - 1] = replace(desk.line(number), shown="silent")
         rest = tuple(other for other in desk.line(line).premises if other != ref)
         return Term(link.right, term.tangent, rest, (ref,))
     return term
-
-
-def _is_to_a_wall(scene: Scene, letter: Expression) -> bool:
-    """Whether a letter stands for an angle to a wall."""
-    match scene.desk.meant(letter):
-        case Quantity("angle", sides):
-            return any(isinstance(side, Name) for side in sides)
-    return False
 
 
 def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:

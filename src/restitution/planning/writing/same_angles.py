@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -17,7 +26,7 @@ from restitution.expression.tree import (
     is_quantity,
     walk,
 )
-from restitution.planning.writing.desk import chain
+from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.scene import Scene
 
@@ -42,8 +51,8 @@ def write_same_angle(scene: Scene, asked: Quantity, letter: str, meaning: Ref) -
     return None
 
 
-_Other = tuple[Quantity, Expression, tuple[int, ...]]
-"""Another angle, how lines write it, and the line of its letter."""
+_Other = tuple[Quantity, Expression, tuple[Ref, ...]]
+"""Another angle, how lines write it, and what says what its letter stands for."""
 
 
 def _others(scene: Scene, asked: Quantity) -> Iterator[_Other]:
@@ -57,6 +66,12 @@ def _others(scene: Scene, asked: Quantity) -> Iterator[_Other]:
         letter = Letter(own.letter)
         if _is_alike(asked, own.quantity) and _tangent(scene, letter):
             yield own.quantity, letter, (line.number,)
+    for ref, fact in scene.facts.items():
+        match fact.relation.options:
+            case ((Link(Quantity() as quantity, "=", Letter() as letter),),) if (
+                ref.startswith("let ") and _is_alike(asked, quantity) and _tangent(scene, letter)
+            ):
+                yield quantity, letter, (ref,)
 
 
 def _without_letters(scene: Scene, asked: Quantity) -> Iterator[_Other]:
@@ -168,6 +183,29 @@ def angle_by_the_same(scene: Scene, line: int) -> int | None:
     return None
 
 
+def by_the_first_letter(scene: Scene, line: int) -> tuple[Letter, tuple[Ref, ...]] | None:
+    """The letter of the angle that another one is, by the line that has the value of both.
+
+    With it what it rests on. The lines with the second letter are not printed.
+    """
+    desk = scene.desk
+    own, hidden = desk.line(line), [line]
+    if own.move.id == "inverse" and (lines := numbers_in(own.premises)):
+        hidden.append(lines[0])
+    last = desk.line(hidden[-1])
+    for ref in numbers_in(last.premises) if last.move.id == "put" else ():
+        if desk.line(ref).move.record != "difference":
+            continue
+        link = desk.last_link(ref)
+        if not (isinstance(link.right, Letter) and isinstance(link.left, Letter)):
+            continue
+        for number in (*hidden, ref):
+            desk.lines[number - 1] = replace(desk.line(number), shown="silent")
+        rest = own.premises if own == last else (line,)
+        return link.right, together((other for other in rest if other != ref), (ref,))
+    return None
+
+
 def _components(scene: Scene, bodies: tuple[str, ...], event: int) -> Iterator[Ref]:
     """What is known of the components of bodies after an event, and of the lines they are along."""
     for fact in scene.facts:
@@ -191,4 +229,9 @@ def _components(scene: Scene, bodies: tuple[str, ...], event: int) -> Iterator[R
     yield from worths.values()
 
 
-__all__ = ["angle_by_the_same", "tangent_by_the_same", "write_same_angle"]
+__all__ = [
+    "angle_by_the_same",
+    "by_the_first_letter",
+    "tangent_by_the_same",
+    "write_same_angle",
+]

@@ -512,13 +512,21 @@ class TurnLeads(LinesAround):
                         return self._naming.relation(Relation(((own,),)))
         return None
 
+    def _meant(self, letter: str) -> Expression | None:
+        """What a letter of the working, or of the question, stands for."""
+        meaning = self._naming.meanings.get(letter)
+        if meaning is not None:
+            return meaning.quantity
+        fact = self._derivation.fact(f"let {letter}")
+        return None if fact is None else fact.relation.only[0].left
+
     def _same(self, link: Link) -> Sentence | None:
         """That an angle to a wall, or to an axis, is the one from **i** that has a letter."""
         angles = [
-            meaning.quantity
+            quantity
             for side in (link.left, link.right)
             for node in walk(side)
-            if isinstance(node, Letter) and (meaning := self._naming.meanings.get(node.name))
+            if isinstance(node, Letter) and (quantity := self._meant(node.name)) is not None
         ]
         angles += [side for side in (link.left, link.right) if isinstance(side, Quantity)]
         match angles:

@@ -38,6 +38,7 @@ from restitution.wording.telling import has_axes, letters_of_formulas
 from restitution.workings.naming.bold_letters import BoldLetters, Used
 from restitution.workings.naming.foreseen import foreseen
 from restitution.workings.naming.moments import Moments
+from restitution.workings.naming.slanting_walls import are_slanting
 from restitution.workings.naming.terms import Terms, terms_of
 
 # Components at a wall, by their sense.
@@ -440,10 +441,10 @@ class Naming(Moments):
             case Quantity("speed", (Name(body),), _) as tree if not self.several:
                 late = self._plain_when(self._settled(tree))
                 return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
-            case Quantity("angle", arguments) if meaning.angle == "acute":
-                return say(
-                    "derived.acute-angle", of=tuple(self.side(argument) for argument in arguments)
-                )
+            case Quantity("angle", sides) if meaning.angle == "acute" or are_slanting(
+                self.derivation, sides
+            ):
+                return say("derived.acute-angle", of=tuple(map(self.side, sides)))
         return self.quantity(meaning.quantity)
 
     def extreme(self, tree: Expression, *, greatest: bool) -> Sentence:

@@ -182,6 +182,13 @@ SENTENCES: Mapping[str, str] = {
         "the two angles are equal:"
     ),
     "same.parallel": "{wall} is parallel to the line of centres, so the two angles are equal:",
+    "same.one-letter": (
+        "{wall} is parallel to the line of centres, so the angle between {velocity} and that line "
+        "is {angle} too."
+    ),
+    "same.letter-of-axis": (
+        "{wall} is along {axis}, so the angle between {velocity} and {wall} is {angle} too."
+    ),
     "same.wall": "{wall} is along {axis}, so the two angles are equal:",
     "product.plain": "the scalar product",
     "product.of-a-turn": "the scalar product of the velocities before and after",
