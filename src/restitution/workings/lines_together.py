@@ -114,7 +114,7 @@ def between_parallels(first: Expression, last: Expression) -> tuple[Expression, 
         return ()
     value = tree_of(Vector(tidy(a.x), tidy(a.y)))
     multiple = negative(last) if factor == -1 else product(tree_of(factor), last)
-    return (multiple,) if alike(value, first) else (value, multiple)
+    return (multiple,) if alike(value, first) or value == multiple else (value, multiple)
 
 
 def before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
