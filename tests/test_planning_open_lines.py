@@ -87,7 +87,7 @@ find velocity(C), line_of_centres, M, speed(D)
             "component of 𝐯_C in the direction of 2𝐢 − 𝐣 = 0",
             "𝐯_C = s((𝐢 + 2𝐣)/√5)",
             "s = ±√5",
-            "parallel to (4𝐢 − 2𝐣) − (−𝐢 − 2𝐣) = 5𝐢 (ii)",
+            "parallel to (4𝐢 − 2𝐣) − (−𝐢 − 2𝐣) = 5𝐢\n",
             "the line of centres is parallel to (4𝐢 − 2𝐣) − (𝐢 + 2𝐣) = 3𝐢 − 4𝐣",
             "M = 45",
             # Along a line that is known no vector is multiplied.
