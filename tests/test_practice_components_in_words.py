@@ -121,3 +121,113 @@ find speed(P)
 """
     found = marking(corner, "towards BC: 4 cos 60 = 2", "perp after = 3 × 2 = 6")
     assert found["lines"][-1]["mistake"]["id"] == "restitution-inverted"
+
+
+TWO = """
+sphere A: mass 2, velocity 5i + j
+sphere B: mass 4, velocity -i + 3j
+A hits B: along i
+given impulse = 14
+find velocity(A), velocity(B), e
+"""
+LANE = """
+wall V: along i, through (0, 12)
+wall U: along i, through (0, 0)
+sphere P: at (0, 3), velocity 2i + 3j
+P hits V: e = 1/3
+part a
+find time(1), velocity(P)
+P hits U: e = 1/2
+part b
+find time(2), position(P)
+"""
+AT_EIGHT = """
+wall W: along i
+sphere P: mass 2, velocity 3i - 8j
+P hits W
+given energy_lost = 48
+find e
+"""
+
+
+def test_an_impulse_divided_by_the_mass_is_its_equation() -> None:
+    found = marking(TWO, "v = 5 - 7 = -2", v="along(velocity(A), i)")
+    assert found["lines"][0]["principle"] == "impulse"
+    assert states(found)[:2] == [("M1", "earned"), ("A1", "earned")]
+
+
+def test_newtons_law_with_his_own_values_is_no_value_alone() -> None:
+    lines = "v = 5 - 7 = -2", "10 + 4 = 2(-2) + 4w", "w = 4.5", "e = (4.5 + 2)/6"
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    found = marking(TWO, *lines, **letters)
+    assert verdicts(found) == ["true", "false", "follows", "follows"]
+    assert states(found)[-3:-1] == [("M1", "earned"), ("A1ft", "earned")]
+
+
+def test_a_time_with_its_unit_and_a_component_beside_a_wrong_one_are_seen() -> None:
+    found = marking(LANE, "3 seconds", "velocity = 2/3 i - j", part="a")
+    assert [state for _, state in states(found)] == ["earned"] * 2 + ["lost", "earned", "lost"]
+    assert states(marking(LANE, "3", "velocity = 2/3 i - j", part="a"))[1] != ("A1", "earned")
+
+
+def test_a_coordinate_is_that_of_the_place_that_is_asked() -> None:
+    time = "time = 3 + 12/1 = 15"
+    assert verdicts(marking(LANE, time, "x = 6 + 2 × 12 = 30", part="b"))[1] == "true"
+    assert verdicts(marking(LANE, time, "x = 6 + 1 × 12 = 18", part="b"))[1] == "false"
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("9 + 8e^2 = 25", "square-not-taken"),
+        ("½ × 2 × (8e)^2 = 25", "energy-component-missing"),
+    ],
+)
+def test_squares_of_a_speed_at_a_wall_show_what_is_wrong_in_them(line: str, name: str) -> None:
+    found = marking(AT_EIGHT, line)
+    assert verdicts(found) == ["false"]
+    assert found["lines"][0]["mistake"]["id"] == name
+
+
+def test_a_separation_as_great_as_the_approach_has_no_coefficient() -> None:
+    lines = "v = -3u", "w + 3u = 9u"
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    found = marking(BACK, *lines, **letters)
+    assert verdicts(found) == ["true", "false"]
+    assert found["lines"][1]["mistake"]["id"] == "restitution-omitted"
+
+
+def test_what_true_lines_decide_is_solved_wrongly_in_decimals() -> None:
+    text = """
+sphere A: mass 3m, velocity u at 45°
+sphere B: mass 2m, at rest
+A hits B: along i
+given tan(angle(velocity(A), line_of_centres)) = 2, along(velocity(A), i) > 0
+find e
+"""
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    lines = "v = u cos45 / 2 = 0.354u", "3 × 0.707u = 3 × 0.354u + 2w", "w = 1.06u"
+    found = marking(text, *lines, **letters)
+    assert verdicts(found) == ["true", "true", "false"]
+    assert found["lines"][2]["mistake"]["kind"] != "misconception"
+
+
+def test_momentum_of_vectors_is_another_equation_than_along_the_line() -> None:
+    text = """
+sphere A: mass 2, velocity 10i
+sphere B: mass 1, at rest
+A hits B: along 4i + 3j, e = 1/2
+find velocity(B), velocity(A)
+"""
+    lines = (
+        "20 = 2v + w",
+        "w - v = 1/2 x 10 = 5",
+        "v = 5, w = 10",
+        "velocity of B = 10(4i + 3j)/5 = 8i + 6j",
+        "20i = 2a + 8i + 6j",
+    )
+    along = "along(velocity({}), 4i + 3j)".format
+    found = marking(text, *lines, v=along("A"), w=along("B"), a="velocity(A)")
+    purposes = {point["for"]: point["state"] for point in found["marks"]["points"]}
+    assert purposes["conservation of momentum along the line of centres"] == "lost"
+    assert purposes["conservation of momentum"] == "earned"

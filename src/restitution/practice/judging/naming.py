@@ -74,7 +74,12 @@ from restitution.practice.judging.signs import (
 )
 from restitution.practice.judging.sizes import numbers_in, varying_size
 from restitution.practice.judging.slips import Correction, in_datum
-from restitution.practice.judging.solved_values import is_along_alone, is_decided, is_over
+from restitution.practice.judging.solved_values import (
+    has_kept_across,
+    is_along_alone,
+    is_decided,
+    is_over,
+)
 from restitution.practice.judging.squares import is_worth
 from restitution.practice.judging.typed_energies import are_energies, is_halved
 from restitution.practice.letters.candidates import Candidate, candidates
@@ -159,7 +164,7 @@ class Names:
             variants = () if is_slip_of_sign(entry, mended, judge.base) else variants
         if of_signs == {"momentum-sign"} and _is_turned_as_a_whole(entry, mended):
             variants = ()  # 4(v - j) = -4i + 8j: which impulse it is of, is not said
-        if is_halved(entry):
+        if is_halved(entry, judge.base):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:
             # Where the law with speeds explains it as well, it tells of the letters.
@@ -177,6 +182,9 @@ class Names:
         plain = plainly(entry, judge.base, judge.entries, mended)
         if plain == "restitution-inverted" and _is_solved_wrongly(entry, judge):
             plain = None
+        if {variant.mistake for variant in variants} == _OF_A_KEPT_SIZE:
+            omitted = tuple(v for v in variants if v.mistake == "restitution-omitted")
+            variants = omitted if has_kept_across(variants[0].event.number, judge) else variants
         families = {variant.mistake for variant in variants}
         if len(families) > 1 and plain in families and "across-exchanged" not in families:
             # What the line shows by itself decides between laws that give one value.

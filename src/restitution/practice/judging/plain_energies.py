@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from itertools import permutations
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    is_binary,
     is_function,
     letters,
     quantities_in,
@@ -32,6 +34,7 @@ _NEAR = 0.006
 """What a student's own rounding may move a speed by."""
 _TWO = Number(Fraction(2))
 _COEFFICIENTS = (0.37, 0.71)
+_TINY = 1e-9
 
 
 def is_energy_of_difference(entry: Entry, world: World) -> bool:
@@ -110,7 +113,9 @@ def is_tangent_inverted(entry: Entry, world: World) -> bool:
     left = entry.claim.left
     if not is_function(left, "tan"):
         return False
-    if not any(isinstance(node, Apply) for node in walk(entry.claim.right)):
+    right = entry.claim.right
+    quotient = is_binary(right, "/") and is_numeric(right)
+    if not quotient and not any(isinstance(node, Apply) for node in walk(right)):
         return False
     for number, body in world.wall_impacts():
         line = Quantity("line_of_centres", (), number)
@@ -124,6 +129,96 @@ def is_tangent_inverted(entry: Entry, world: World) -> bool:
         ):
             return True
     return False
+
+
+def is_energy_of_one_component(entry: Entry, world: World) -> bool:
+    """Whether the speed after a wall has the component along it left out: ``½(2)(4e)² = 18``."""
+    return _is_of_wrong_squares(entry, world, lambda into, _, e: (_square(_product(into, e)),))
+
+
+def is_without_a_square(entry: Entry, world: World) -> bool:
+    """Whether a component after a wall is not squared beside the other: ``16 + 6e² = 25``."""
+
+    def forms(into: Expression, along: Expression, e: Expression) -> tuple[Expression, ...]:
+        whole = _square(_product(into, e)), _square(along)
+        return (
+            Binary("+", _product(into, _square(e)), whole[1]),
+            Binary("+", _product(into, e), whole[1]),
+            Binary("+", whole[0], along),
+        )
+
+    return _is_of_wrong_squares(entry, world, forms)
+
+
+def _is_of_wrong_squares(
+    entry: Entry,
+    world: World,
+    forms: Callable[[Expression, Expression, Expression], tuple[Expression, ...]],
+) -> bool:
+    """Whether a side with e is a multiple of a form, and the other one of the square of a speed.
+
+    A form is of the sizes of the components into a wall and along it, and of e.
+    """
+    for one, other in permutations((entry.claim.left, entry.claim.right)):
+        if "e" not in letters(one) & world.letters.keys() or "e" in letters(other):
+            continue
+        value = _size(other, entry, world)
+        if value is None:
+            continue
+        for number, body in world.wall_impacts():
+            before = Quantity("velocity", (Name(body),), number - 1)
+            line = Quantity("line_of_centres", (), number)
+            into, along = (Apply("abs", Quantity(kind, (before, line))) for kind in COMPONENTS)
+            if not np.all(np.abs(world.spread(world.scalar(along))) > _TINY):
+                continue
+            speed = world.scalar(Quantity("speed", (Name(body),), number))
+            for form in forms(into, along, Letter("e")):
+                ratios = _ratios_for(one, form, entry, world)
+                if not _are_constant(ratios):
+                    continue
+                assert ratios is not None
+                if np.allclose(np.abs(ratios[0]) * speed**2, value, rtol=1e-6, atol=0):
+                    return True
+    return False
+
+
+def _square(tree: Expression) -> Expression:
+    return Binary("^", tree, _TWO)
+
+
+def _product(one: Expression, other: Expression) -> Expression:
+    return Binary("*", one, other)
+
+
+def has_energies_of_both(entry: Entry, world: World) -> bool:
+    """Whether one term of a sum is the energy of a body, or twice that, and another is not."""
+    terms = list(_terms(entry.claim.right))
+    sizes = [_size(term, entry, world) for term in terms]
+    stages = range(len(world.events) + 1)
+    for body in world.start:
+        energies = [world.scalar(Quantity("energy", (Name(body),), stage)) for stage in stages]
+        known = [size for size in sizes if size is None or np.all(size > _TINY)]
+        own = [
+            size is not None
+            and any(np.all(energy > 0) and _is_once_or_twice(size, energy) for energy in energies)
+            for size in known
+        ]
+        if any(own) and not all(own):
+            return True
+    return False
+
+
+def _is_once_or_twice(size: Array, energy: Array) -> bool:
+    return any(bool(np.all(np.abs(size - k * energy) <= _TINY * energy)) for k in (1, 2))
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum."""
+    if is_binary(tree, "+", "-"):
+        yield from _terms(tree.left)
+        yield from _terms(tree.right)
+    else:
+        yield tree
 
 
 def is_of_exchanged_squares(entry: Entry, world: World) -> bool:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_binary,
     is_component,
     is_function,
     is_quantity,
@@ -37,6 +38,7 @@ from restitution.expression.tree import (
 from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.plain_energies import has_energies_of_both
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -240,6 +242,22 @@ def is_law_of_relative_velocities(entry: Entry, world: World) -> bool:
     return False
 
 
+def is_separation_as_approach(entry: Entry, world: World) -> bool:
+    """Whether a separation with a velocity put in is as great as the approach: ``w + 2u = 6u``."""
+    own = entry.meanings.keys()
+    for number, (first, second) in _pairs(world):
+        apart, near = (
+            Quantity("along", (Binary("-", _velocity(one, n), _velocity(other, n)), _line(number)))
+            for one, other, n in ((second, first, number), (first, second, number - 1))
+        )
+        for left, right in permutations((entry.claim.left, entry.claim.right)):
+            if not is_binary(left, "+", "-") or not letters(left) & own or letters(right) & own:
+                continue
+            if has_value(apart, left, entry, world) and has_value(near, right, entry, world):
+                return True
+    return False
+
+
 def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     """Whether a claim is not of the kind in which an altered law shows itself.
 
@@ -249,6 +267,8 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     that have one size nobody sees which is taken for the other.
     """
     if is_root_of_a_sum(entry.claim.right) and variant.mistake in _OF_WHOLE_SPEEDS:
+        return True
+    if variant.mistake == "energy-one-sphere" and has_energies_of_both(entry, world):
         return True
     if _is_angle_alone(variant, entry, world) or _are_alike(variant, world):
         return True
@@ -353,5 +373,6 @@ SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_across_exchanged, "across-exchanged"),
     (is_restitution_parallel, "restitution-parallel"),
     (is_law_of_relative_velocities, "restitution-whole-speed"),
+    (is_separation_as_approach, "restitution-omitted"),
 )
 """What a line shows by itself, and its name."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
-from restitution.expression.quantities import ENERGIES
+from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -38,10 +38,13 @@ from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.plain_deflections import is_given_difference
 from restitution.practice.judging.plain_energies import (
+    has_energies_of_both,
     is_energy_of_difference,
+    is_energy_of_one_component,
     is_fraction_of_line,
     is_of_exchanged_squares,
     is_tangent_inverted,
+    is_without_a_square,
 )
 from restitution.practice.judging.plain_impulses import (
     is_impulse_of_other_mass,
@@ -125,6 +128,10 @@ def _is_without_half(entry: Entry, world: World) -> bool:
             claim = Claim(Binary("/", one, _TWO), "=", other)  # 2(6)² - 2v² = 18, lost 18
             if holds_in(replace(entry, claim=claim), world):
                 return True
+        twice = Claim(other, "=", Binary("/", one, _TWO))
+        lost = one is entry.claim.right and is_quantity(meant_by(entry), *LOSSES)
+        if lost and not has_half(one) and holds_in(replace(entry, claim=twice), world):
+            return True  # lost = m(10u² - 4u²)
         if not has_square(other) or is_bare(other):
             continue
         if has_half(one) and not has_half(other):
@@ -251,7 +258,7 @@ def _is_energy_of_one(entry: Entry, world: World) -> bool:
     meant = meant_by(entry)
     if not is_quantity(meant, "energy", "energy_lost"):
         return False
-    if meant.arguments or len(world.start) < 2:
+    if meant.arguments or len(world.start) < 2 or has_energies_of_both(entry, world):
         return False
     single = [_energy_of(Name(sphere), meant) for sphere in world.start]
     return any(
@@ -653,6 +660,8 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_tangent_inverted, "restitution-inverted"),
     (is_of_exchanged_squares, "restitution-parallel"),
     (is_root_without_squares, "square-not-taken"),
+    (is_energy_of_one_component, "energy-component-missing"),
+    (is_without_a_square, "square-not-taken"),
     (is_impulse_reversed, "impulse-sign"),
     (is_impulse_of_speeds, "impulse-of-speeds"),
     (is_impulse_of_other_mass, "masses-exchanged"),

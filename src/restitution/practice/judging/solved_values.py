@@ -24,7 +24,7 @@ from restitution.practice.judging.explained import JudgedSoFar
 from restitution.practice.worlds.world import World
 from restitution.problem import Value
 
-_MOST = 10_000
+_MOST = 10**8
 _SAME = 1e-9
 _OF_MOTION = frozenset({"velocity", "speed"})
 
@@ -83,6 +83,16 @@ def is_over(number: int, world: World) -> bool:
     ]
     own = [now for _, now in problem.asked(part)]
     return bool(done and own) and number <= max(done) < max(own)
+
+
+def has_kept_across(number: int, judge: JudgedSoFar) -> bool:
+    """Whether a true line above has the component that stays at an impact."""
+    return any(
+        (use.principle, use.event, use.altered) == ("unchanged", number, None)
+        for other in judge.entries
+        if other.right
+        for use in judge.uses_of_entry(other)
+    )
 
 
 def is_along_alone(entry: Entry) -> bool:

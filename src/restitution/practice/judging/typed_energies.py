@@ -68,8 +68,16 @@ def is_loss_of_known(entry: Entry, entries: Sequence[Entry]) -> bool:
     return wanted <= stages
 
 
-def is_halved(entry: Entry) -> bool:
-    """Whether every term with a square, or a product, has its ½: none is left out there."""
+_HALVES = (Number(Fraction(1, 2)), Binary("/", Number(Fraction(1)), Number(Fraction(2))))
+
+
+def is_halved(entry: Entry, world: World) -> bool:
+    """Whether every term with a square, or a product, has its ½: none is left out there.
+
+    It may be a mass of ½ instead.
+    """
+    if any(sphere.mass in _HALVES for sphere in world.problem.spheres):
+        return False
     sides = entry.claim.left, entry.claim.right
     terms = [term for side in sides for term in _terms(side) if not isinstance(term, Number)]
     return bool(terms) and all(map(has_half, terms))

@@ -158,6 +158,9 @@ class Judge(Unlabelled):
             if named is not None and explained.of_impulse:
                 impulse = Use("impulse", None, (), f"{mistake.id}/1")
                 return replace(line, mistake=mistake, uses=(impulse,))
+            if mistake.id == "restitution-omitted":
+                law = Use("restitution", None, (), f"{mistake.id}/1")
+                return replace(line, mistake=mistake, uses=(law,))
             if named is not None and named.mark_of("energy"):
                 energy = Use("energy", None, (), f"{mistake.id}/1")
                 return replace(line, mistake=mistake, uses=(energy,))
@@ -402,7 +405,8 @@ class Judge(Unlabelled):
         if start == end or worked or not isinstance(first, Letter | Quantity):
             return explained
         plain = is_sum_of_angles(entry) or is_root_of_a_sum(links[place].claim.right)
-        quoted = (not explained.variants or start < place) and not plain
+        shown = start == place and (explained.plain or "").startswith("energy")
+        quoted = (not explained.variants or start < place) and not (plain or shown)
         for link in links[place : end + 1] if quoted else ():
             whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
             other = self.naming.explained(whole, self)

@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    Unit,
     is_binary,
     is_quantity,
     letters,
@@ -38,7 +39,7 @@ from restitution.practice.letters.surroundings import (
     DeclaredLetter,
     Surroundings,
 )
-from restitution.practice.letters.trial import Frame, inside_angles, resolved_in
+from restitution.practice.letters.trial import NOWHERE, Frame, inside_angles, resolved_in
 from restitution.practice.reading.angles import is_angle
 from restitution.practice.script import Claim, Link, Scope, Script
 from restitution.problem import Event, Impact, Kick
@@ -47,6 +48,7 @@ from restitution.vector import Vector
 _VELOCITIES = frozenset("vVwW")
 _EARLIER = frozenset("uU")
 _IMPULSES = frozenset("IJ")
+_TINY = 1e-9
 _OF_TURNS = frozenset({"delta", "x"})
 _OF_ANGLES = frozenset({"beta", "phi", "theta"})
 
@@ -275,6 +277,7 @@ class LettersOfLines:
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
+        known = known or self._asked_coordinate(name)
         return known or self._by_shape(name) or self._only_speed(name) or self._only_angle(name)
 
     def _asked_velocities(self, after: Sequence[Candidate]) -> list[Candidate]:
@@ -307,6 +310,32 @@ class LettersOfLines:
             if suffix(name) in ("", candidate.body)
         ]
         return own[0] if len(own) == 1 else None
+
+    def _asked_coordinate(self, name: str) -> Candidate | None:
+        """The coordinate of the place that is asked, for ``x = 6 + 3 × 5`` with the 6 of a place.
+
+        A product alone may be the way from there.
+        """
+        axis = {"x": Unit("i"), "y": Unit("j")}.get(name)
+        _, tree = self.definitions.get(name, (0, None))
+        if axis is None or not is_binary(tree, "+", "-"):
+            return None
+        asked = [x for x in self.around.asked if is_quantity(x, "position")]
+        places = [x for x in self.around.candidates if x.kind == "place" and x.axis == axis]
+        wanted = [Quantity("along", (place, axis)) for place in asked]
+        own = [x for x in places if [x.quantity] == wanted]
+        if not own:
+            return None
+        tester = self.around.tester
+        known = [tester.value(x.quantity, {}, NOWHERE) for x in places if x not in own]
+        terms = [tester.value(term, {}, NOWHERE) for term in (tree.left, tree.right)]
+        from_there = any(
+            isinstance(a, np.ndarray | float) and np.all(a) and bool(np.all(np.abs(a - b) < _TINY))
+            for a in known
+            for b in terms
+            if isinstance(b, np.ndarray | float)
+        )
+        return own[0] if from_there else None
 
     def _asked_speed(self, name: str) -> Candidate | None:
         """The one speed that is asked, for ``v = √(4² + 5²)`` and ``v² = 16 + 25``.

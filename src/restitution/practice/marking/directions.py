@@ -27,6 +27,7 @@ from restitution.practice.marking.scheme import MarkPoint
 from restitution.problem import Aligned, Show
 from restitution.records import dataclass
 
+_SECONDS = re.compile(r"\d\s*(?:s|secs?|seconds?)\b")
 _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
     "opposite to": re.compile(r"\b(opposite|anti-?parallel|reversed?|back)\b", re.IGNORECASE),
     "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
@@ -70,6 +71,8 @@ class Directions(LineContents):
             return line.verdict in (*SOUND, "remark") and any(
                 self._is_towards(value, link, line) for value in vectors
             )
+        if self.is_time(point) and not _SECONDS.search(line.line.text):
+            return False
         place = place_in(link.left)
         return line.verdict == "remark" and any(
             self._is_worth(value, link.left, line)
@@ -105,6 +108,11 @@ class Directions(LineContents):
     def is_pointing(self, point: MarkPoint) -> bool:
         """Whether a point is for the vector along which something points."""
         return point.link is not None and point.link.sign == "parallel to" and not point.shown
+
+    def is_time(self, point: MarkPoint) -> bool:
+        """Whether a point is for a time."""
+        left = point.link.left if point.link is not None else None
+        return is_quantity(left, "time") and not point.shown
 
     def is_direction(self, point: MarkPoint) -> bool:
         """Whether a point is for a direction."""

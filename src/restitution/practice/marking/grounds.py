@@ -7,7 +7,14 @@ from itertools import takewhile
 
 from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import Letter, Quantity, is_binary, is_function, walk
+from restitution.expression.tree import (
+    Letter,
+    Quantity,
+    has_unit_vector,
+    is_binary,
+    is_function,
+    walk,
+)
 from restitution.practice.judgement import JudgedLine, Judgement, Use
 from restitution.practice.marking.lines import (
     SOUND,
@@ -43,10 +50,30 @@ class Grounds:
         if point.letter != "A" or point.item is not None or point.shown or point.link is None:
             return None
         method = next((x for x in self.scheme.points if x.id in point.depends), None)
-        if method is None or method.link != point.link or method.principle != point.principle:
+        own = ("energy", "fact")
+        if method is None or method.link != point.link or method.principle not in own:
             return None
         true = (line for line in self.lines if line.verdict == "true" and line.grounded)
         return next((line for line in true if self.values.states(point, line)), None)
+
+    def _is_second_law(self, point: MarkPoint) -> bool:
+        """Whether momentum is used with what Newton's law has given, so that it may be his own."""
+        above = self.scheme.points[: self.scheme.points.index(point)]
+        return point.principle == "momentum" and any(
+            other.equation and (other.principle, other.event) == ("restitution", point.event)
+            for other in above
+        )
+
+    def _is_vector_law(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether momentum of vectors is written, and is what a point is for.
+
+        That is another equation than the one along the line of centres.
+        """
+        link = point.link
+        sides = () if link is None else (link.left, link.right)
+        return (
+            point.principle == "momentum" and has_vector(line) and any(map(has_unit_vector, sides))
+        )
 
     def _in_wrong_law(self, point: MarkPoint) -> JudgedLine | None:
         """A line in which the law is turned upside down or has no e, and the component is right."""
@@ -394,17 +421,15 @@ class Grounds:
         """A line that puts angles together wrongly, with the angle of a point among them."""
         if point.principle != "angle" or point.shown:
             return None
-        return next(
+        remark = next((line for line in self.lines if self.values.names_angle(point, line)), None)
+        return remark or next(
             (
                 line
                 for line in self.lines
-                if (
-                    line.verdict == "false"
-                    and line.mistake is not None
-                    and line.mistake.id in OF_DEFLECTION
-                    and self.values.adds_angle(point, line)
-                )
-                or (point.letter == "M" and self.values.names_angle(point, line))
+                if line.verdict == "false"
+                and line.mistake is not None
+                and line.mistake.id in OF_DEFLECTION
+                and self.values.adds_angle(point, line)
             ),
             None,
         )

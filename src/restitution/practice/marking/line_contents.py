@@ -76,6 +76,9 @@ def place_in(tree: Expression) -> Quantity | None:
 
 
 _ANGLE = re.compile(r"\bangles?\b|°|\bdeg", re.IGNORECASE)
+_BEFORE_AND_AFTER = re.compile(
+    r"\s*(?:angles?\s+)?before\W+[\d.]+°?\W+(?:and\s+)?after\W+[\d.]+°?\s*", re.IGNORECASE
+)
 _PARTS = re.compile(r"\b(?:parts?|bits?|components?|comps?|resolv\w+)\b", re.IGNORECASE)
 
 
@@ -372,13 +375,19 @@ class LineContents(Sides):
             yield from (Quantity("angle", (velocity, axis)) for axis in axes)
 
     def names_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether the angle of a point stands in a remark about angles, as a decimal."""
+        """Whether the angle of a point stands in a remark about angles, as a decimal.
+
+        Those before and after may be whole numbers of degrees: ``before 53.13, after 45``.
+        """
         link = point.link
-        if link is None or line.verdict != "remark" or not _ANGLE.search(line.line.text):
+        both = bool(_BEFORE_AND_AFTER.fullmatch(line.line.text))
+        if link is None or line.verdict != "remark":
+            return False
+        if not (both or (point.letter == "M" and _ANGLE.search(line.line.text))):
             return False
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
         angles = tuple(self._angles_between(angle)) or (angle,)
-        values = [value for value in line.line.values if is_fine(value)]
+        values = [value for value in line.line.values if both or is_fine(value)]
         return any(self._is_angle(value, angle, line) for value in values for angle in angles)
 
     def _has_part(

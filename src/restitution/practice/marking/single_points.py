@@ -25,6 +25,7 @@ from restitution.practice.marking.lines import (
 )
 from restitution.practice.marking.marks import PointMark, State
 from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.worlds.principles import is_worked
 
 _OF_WHOLE_SPEEDS = frozenset(
     {"impulse-of-speeds", "speed-for-component", "restitution-whole-speed"}
@@ -262,7 +263,7 @@ class SinglePoints(Grounds):
                     return self._earned(point, line, "")
             elif line.verdict == "follows" and not altered and lost is None:
                 # Newton's law with the sense that his momentum gives his letters.
-                law = point.principle == "restitution"
+                law = point.principle == "restitution" or self._is_second_law(point)
                 law = law and not any(self._spoils_laws(point, x) for x in self._roots(line))
                 if law and self.values.has_velocities(line):
                     return self._earned(point, line, "consistent with the line of momentum")
@@ -277,6 +278,7 @@ class SinglePoints(Grounds):
         """Whether a line is a law with values in it, and not a value alone: ``e = (3 - 1)/4``."""
         links = line.line.links
         worked = len(links) > 1 and continues(links[0], links[1])
+        worked = worked or is_worked(links[0].readings[0].right)
         return line.uses[0].principle in LAWS and (worked or not self.values.is_solved(line))
 
     def _independent(self, point: MarkPoint) -> PointMark:
@@ -405,6 +407,7 @@ class SinglePoints(Grounds):
             self.values.is_direction,
             self.values.is_pointing,
             self.values.is_place,
+            self.values.is_time,
         )
         if last is None and any(function(point) for function in seen_alone):
             seen = next((line for line in self.lines if self.values.shows(point, line)), None)
@@ -566,7 +569,7 @@ class SinglePoints(Grounds):
         if law not in (*LAWS, "impulse") or use.altered is not None or line.verdict == "false":
             return False
         stated = line.uses[0].principle == law or law == "impulse"
-        if stated and line.verdict != "follows":
+        if stated and (line.verdict != "follows" or self._is_vector_law(point, line)):
             return False
         return any(
             other.verdict == "false"

@@ -58,6 +58,7 @@ _END, _ZERO = 0.006, 1e-9
 _FIGURES = 3
 _SEVERAL = 2
 # What is said of a line that rests on several laws.
+_OF_ACROSS = ("across-changed", "across-exchanged")
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
 _KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
@@ -535,7 +536,7 @@ class Values(Directions):
         if link is None:
             return False
         after = {quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"}
-        return len(after) == 1
+        return len(after) == 1 and len(point.bodies) < _SEVERAL
 
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
@@ -555,7 +556,8 @@ class Values(Directions):
         if velocity is None or line.verdict not in ("true", "follows", "false"):
             return False
         wrong = line.verdict == "false"
-        if wrong and not own:
+        across = line.mistake is not None and line.mistake.id in _OF_ACROSS
+        if wrong and not own and not across:
             return False  # what is wrong in a velocity is most often the component that changes
         kinds = ("speed", "energy") if own and not wrong else ()
         if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):

@@ -207,7 +207,7 @@ def _laws_at(telling: Telling, number: int, step: Impact) -> Iterator[Slots]:
     for name, m, (p, s), (q, r) in zip(spheres, masses, before, after, strict=True):
         size = np.abs(m * (q - p))
         sign = np.sign(q - p)
-        yield Slots("impulse", number, (name,), (size, -sign * m * q, sign * m * p))
+        yield Slots("impulse", number, (name,), (size, -sign * m * q, sign * m * p), (m,))
         yield Slots("unchanged", number, (name,), (r, -s))
 
 
@@ -340,6 +340,8 @@ def impulse_put_in(claim: Claim, world: World) -> Use | None:
         if isinstance(sphere.mass, Expression) and (value := _plain_number(sphere.mass)) is not None
     }
     impacts = [n for n, step in enumerate(world.events, 1) if isinstance(step, Impact)]
+    if "e" in letters(claim.left) | letters(claim.right):
+        return None  # 10/3 = 5e is Newton's law with the velocity that the impulse gives
     for side in (claim.left, claim.right):
         if sizes and len(impacts) == 1 and is_binary(side, "/"):
             above, below = _plain_number(unsigned(side.left)), _plain_number(side.right)
