@@ -10,11 +10,43 @@ import math
 import pytest
 from workings import planned
 
-from restitution.workings import to_text
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 # A statement, and lines of its working, or parts of them.
 CASES = {
+    "of a coefficient by its square, at its own end": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy_lost = 1/3 energy(0)
+find minimum of e over k
+""",
+        ("e = √((2k − 1)/(3k)), as e ≥ 0", "least value of e = 0, when k = ½"),
+    ),
+    "of a coefficient by the root of a mass": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy(B) = 1/4 energy(0)
+find maximum of e over k
+""",
+        ("e ≤ 1", "greatest value of e = 1, when k = 7 − 4√3 or k = 7 + 4√3"),
+    ),
+    "of a coefficient that is at most 1 anyway": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given impulse = m u
+find maximum of e over k
+""",
+        ("1 = ek", "e = 1/k", "greatest value of e = 1, when k = 1"),
+    ),
     "of an angle of which an equation has the square of the cosine": (
         """
 sphere A: mass m, velocity u at alpha
@@ -161,3 +193,19 @@ def test_the_ends_of_a_deflection_are_those_of_a_protractor() -> None:
 
 # Of 10 m/s the component across is 8, and a loss of 20 × 0.64(1 − e²) J is from 2 to 6.
 _ENDS_OF_E = [math.sqrt(1 - loss / 12.8) for loss in (6, 2)]
+
+
+@pytest.mark.parametrize(
+    ("part", "square", "bound"),
+    [("1/4", "(3k − 1)/(4k)", "√3/2"), ("1/3", "(2k − 1)/(3k)", "√6/3")],
+)
+def test_a_coefficient_by_its_square_comes_to_a_bound(part: str, square: str, bound: str) -> None:
+    solution = solve(
+        parse(
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
+            f"given energy_lost = {part} energy(0)\nfind maximum of e over k"
+        )
+    )
+    text = " ".join(to_text(explain(solution, check=True)).split())
+    for line in (f"e² = {square}", f"e < {bound}", f"e → {bound}", "there is no greatest value"):
+        assert line in text

@@ -417,3 +417,40 @@ given {given}
 find e
 """
     assert told in working(text)
+
+
+@pytest.mark.parametrize("item", ["minimum of e over k", "range of e"])
+@pytest.mark.parametrize(
+    ("speed", "given", "lines"),
+    [
+        ("u", "speed(B) = 3u", ("3u = (1 + e)u/(1 + k)", "3(1 + k) = 1 + e")),
+        ("2u", "impulse = 5 m u", ("5mu = km(2(1 + e)u/(1 + k))", "5(1 + k) = 2k + 2ke")),
+        ("4u", "energy_lost = 10 m u^2", ("v² = −kw² − 4u²", "as a square is not negative")),
+    ],
+)
+def test_an_equation_without_solutions_is_written_where_a_range_or_its_end_is_asked(
+    item: str, speed: str, given: str, lines: tuple[str, ...]
+) -> None:
+    said = working(
+        f"sphere A: mass m, velocity {speed} i\nsphere B: mass k m, at rest\n"
+        f"A hits B: along i\ngiven {given}\nfind {item}"
+    )
+    for line in (*lines, "This cannot be, as", "So what is described cannot happen."):
+        assert line in said
+
+
+@pytest.mark.parametrize(
+    ("masses", "speeds", "lost", "line"),
+    [
+        (("3m", "k m"), ("2u", "-u"), 20, "−120 − k(13 + 27e²) > 0, as 3 + k > 0"),
+        (("2m", "k m"), ("u", "-3u"), 18, "−18 − k − 8e²k > 0, as 2 + k > 0"),
+    ],
+)
+def test_an_inequality_that_cannot_hold_is_put_in(
+    masses: tuple[str, str], speeds: tuple[str, str], lost: int, line: str
+) -> None:
+    bodies = zip("AB", masses, speeds, strict=True)
+    spheres = "".join(f"sphere {n}: mass {m}, velocity {v} i\n" for n, m, v in bodies)
+    said = working(f"{spheres}A hits B: along i\ngiven energy_lost > {lost} m u^2\nfind range of e")
+    assert line in said
+    assert "contradict" not in said

@@ -480,3 +480,66 @@ def test_a_time_that_is_on_paper_is_an_answer_below_a_coefficient_by_it() -> Non
     shown = in_a_row(text)
     assert "t₂ = 3/(4 cos 50°) ≈ 1.17 s" in shown
     assert "not written out" not in shown
+
+
+@pytest.mark.parametrize(
+    ("impulse", "lines"),
+    [
+        ("-6i + 3j", ("(a − 3)𝐢 + (b + 3/2)𝐣", "b = 2a − 13/3", "(2a − 13/3 + 3/2)(2a − 13/3)")),
+        ("-4i + 3j", ("(a − 2)𝐢 + (b + 3/2)𝐣", "+ (b + 3/2)b = 0")),
+    ],
+)
+def test_a_sum_that_is_put_in_has_no_denominator_of_its_number(
+    impulse: str, lines: tuple[str, ...]
+) -> None:
+    words = in_a_row(
+        "sphere A: mass 2, velocity a i + b j\nsphere B: mass 3, velocity -i + 2j\n"
+        f"A hits B\ngiven impulse(A) = {impulse}, e = 1/2\n"
+        "given velocity(A) perpendicular to velocity(A, 0)\nfind a, b"
+    )
+    for line in lines:
+        assert line in words
+
+
+def test_what_an_answer_has_in_decimals_is_a_decimal_from_then() -> None:
+    """And what has just been said is not said again beside its sign."""
+    words = in_a_row(
+        "sphere P: mass 1, velocity 8i + j\nwall W: along 3i + 4j\nP hits W: e = 1/4\n"
+        "part a\nfind velocity(P)\npart b\nwall X: along i + j\nP hits X: e = 1/3\n"
+        "find velocity(P)\npart c\nshow P hits W again"
+    )
+    assert "= (11/5)𝐢 + (107/20)𝐣 = (2.2𝐢 + 5.35𝐣) m s⁻¹" in words
+    assert "𝐯₁ · 𝐧₂ = (−2.2 + 5.35)/√2" in words
+    assert "𝐯₂ = (2.2𝐢 + 5.35𝐣) − " in words
+    assert "(4 × 4.3 − 3 × 3.25)/5 = 1.49 m s⁻¹" in words
+    assert "𝐯₂ · 𝐧₁ > 0" in words
+
+
+def test_a_number_among_decimals_is_used_as_it_was_printed() -> None:
+    words = in_a_row(
+        "sphere A: mass 3, velocity 2i\nsphere B: mass 2, velocity -1.5i + 3j\n"
+        "A hits B: along 4i - 3j, e = 1/2\nfind velocity(A), velocity(B)"
+    )
+    assert "𝐮_A · 𝐧 = (4 × 2)/5 = 1.6 m s⁻¹" in words
+    assert "3 × 1.6 + 2(−3) = 3v + 2w" in words
+    assert "8/5" not in words
+
+
+@pytest.mark.parametrize(
+    ("speeds", "e", "impulse", "values"),
+    [
+        (("3u", "u"), "1/2", "2m(3u − u) = 4mu", "with w = 5u/2 and k = 8/5 from part (a)"),
+        (("5u", "2u"), "1/3", "2m(5u − 2u) = 6mu", "with w = 11u/3 and k = 18/11 from part (a)"),
+    ],
+)
+def test_an_impulse_comes_of_the_sphere_of_which_all_is_given(
+    speeds: tuple[str, str], e: str, impulse: str, values: str
+) -> None:
+    """Where values are named that were found, each is said, and not one of two."""
+    words = in_a_row(
+        f"sphere A: mass 2m, velocity {speeds[0]} i\nsphere B: mass k m, at rest\n"
+        f"A hits B: along i, e = {e}\ngiven velocity(A) = {speeds[1]} i\n"
+        "part a\nfind k\npart b\nfind impulse\npart c\nfind energy_lost"
+    )
+    assert f"magnitude of the impulse = {impulse}" in words
+    assert values in words

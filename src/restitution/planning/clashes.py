@@ -53,17 +53,19 @@ from restitution.problem import (
     Aligned,
     AtRest,
     Compare,
+    Extremum,
     Given,
     Meets,
     Part,
     Problem,
     Range,
     Step,
-    Value,
 )
 from restitution.problem import Relation as Said
 from restitution.solving import solve
 from restitution.solving.equations.solution import PartSolution, Solution
+
+_SEVERAL = 2
 
 
 def write_clash(
@@ -73,7 +75,7 @@ def write_clash(
 
     None where no item has such a reason, and where no fact is refuted in lines.
     """
-    ranges = all(isinstance(item.item, Range) for item in part.items)
+    ranges = all(isinstance(item.item, Range | Extremum) for item in part.items)
     if (part.branches and not ranges) or not names:
         return None
     if not all(isinstance(item.error, ContradictionError) for item in part.items):
@@ -102,9 +104,7 @@ def write_clash(
 def _is_in_letters_asked(part: PartSolution, desk: Desk, note: Note) -> bool:
     """Whether the last line of a contradiction still has a letter of which the value is asked."""
     asked = {
-        item.item.expression.name
-        for item in part.items
-        if isinstance(item.item, Value) and isinstance(item.item.expression, Letter)
+        item.item.expression.name for item in part.items if isinstance(item.item.expression, Letter)
     }
     lines = note.lines if note.kind == "contradiction" else ()
     return any(asked & letters(tree) for e in lines for tree in trees_of(desk.relation(e)))
@@ -154,6 +154,14 @@ def _refuted(
     note = desk.new_note(name, "contradiction", clause_of(problem, given, relation))
     late = tuple(sorted(desk.withheld))
     solver = Solver(scene)
+    if worked_out and isinstance(relation, Compare) and relation.operators != ("=",):
+        # With the inequality put in one sees why; a bound of the quantity alone says less.
+        standing, withheld = solver.mark(), desk.withheld
+        bounded = _without_a_value(replace(scene), note, late)
+        if bounded is not None and _is_plain(scene, bounded):
+            return bounded
+        desk.withheld = withheld
+        solver.back(standing)
     for write in (_across, write_worths) if worked_out else ():
         standing, start = solver.mark(), len(desk.lines)
         try:
@@ -217,6 +225,19 @@ def _by_a_bound(
         return whole
     solver.back(standing)
     return None
+
+
+def _is_plain(scene: Scene, note: Note) -> bool:
+    """Whether one sees that the inequality of a note does not hold.
+
+    It has one letter, or all its terms have the same sign.
+    """
+    (line,) = note.lines
+    gap = expanded(residual(scene, line))
+    if len(gap.free_symbols) < _SEVERAL:
+        return True
+    signs = {term.as_coeff_Mul()[0].is_negative for term in sp.Add.make_args(gap)}
+    return len(signs) == 1 and not gap.atoms(sp.sin, sp.cos, sp.tan)
 
 
 def _without_a_value(scene: Scene, note: Note, facts: Collection[str]) -> Note | None:

@@ -38,6 +38,7 @@ from restitution.planning.writing.one_component import with_one_component
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.ratios_put_in import with_ratios_put_in
 from restitution.planning.writing.squares_together import with_squares_together
+from restitution.planning.writing.sums_apart import with_sums_apart
 from restitution.planning.writing.values_first import with_values_first
 from restitution.problem import Problem
 from restitution.solving.story.letters import roles
@@ -67,6 +68,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
             with_known_directions,
             with_complements,
             with_conjugates,
+            with_sums_apart,
             with_one_component,
         ),
         *(with_angles_of_paths, with_kept_ratios, with_one_angle, with_squares_together),

@@ -75,6 +75,7 @@ from restitution.workings.naming.measured import (
     to_three_figures,
     with_unit,
 )
+from restitution.workings.naming.printed_decimals import PrintedDecimals
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.roots_of_roots import has_long_root
 from restitution.workings.naming.row_sides import (
@@ -132,6 +133,7 @@ class Chains:
         calculator = self._long_numbers or is_with_calculator(derivation)
         short = has_only_standard_angles(derivation)
         self._figures = Figures(calculator, measures.decimals, finer, self._long_numbers, short)
+        self._decimals = PrintedDecimals(derivation, measures.decimals)
         # Lines with figures in place of values: their first two sides, by the number.
         self._with_figures: dict[int, tuple[Expression, Expression]] = {}
         # The left sides of lines with figures in place of roots of sums of roots.
@@ -179,6 +181,8 @@ class Chains:
             draft.sides[-1] = with_unit(value, unit) if is_plain(value) else value
         if draft.signs[-1] in ("=", "≈") and last:
             self._with_its_end(draft)
+            own = draft.trees[-1], draft.sides[-1], draft.signs[-1]
+            self._decimals.note(links[-1], *own)
         elif last and self._ends.of(line) is not None:
             self._bounded(draft.trees, draft.sides)
         return Row(tuple(draft.sides), tuple(draft.signs))
@@ -223,7 +227,7 @@ class Chains:
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
             case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
                 trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
-        return trees
+        return self._decimals.put(trees)
 
     def _draft(self, line: Line, links: tuple[Link, ...]) -> Draft:
         """The sides as they are set by themselves, with figures for values that are on paper."""
@@ -282,8 +286,7 @@ class Chains:
             case Binary("/") | Negate(Binary("/")) if (
                 line.move.record in _BY_A_LENGTH and len(links) > 1
             ):
-                put = 1 in draft.in_figures
-                sides[1] = unrationalised(self._naming, trees[1] if put else links[0].right)
+                sides[1] = unrationalised(self._naming, trees[1])
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
                 line.move.record in _TANGENTS
                 and len(links) > 1

@@ -84,15 +84,38 @@ def worth_at(value: sp.Expr, letter: sp.Symbol, at: Any) -> sp.Expr | None:
     None where it has no value there.
     """
     if at is sp.oo:
-        if not value.is_rational_function(letter):
+        small = sp.Dummy("t", positive=True)
+        own = _by_the_inverse(value, letter, small)
+        if own is None:
             return None
-        small = sp.Dummy("t")
-        value = sp.cancel(sp.together(value.subs(letter, 1 / small)), small)
-        letter, at = small, sp.Integer(0)
+        value, letter, at = own, small, sp.Integer(0)
     if at == sp.pi / 2:
         value = _towards_a_right_angle(value, letter)
     there = value.subs(letter, at)
     return None if there.is_finite is False or there.has(sp.nan) else there
+
+
+def _by_the_inverse(value: sp.Expr, letter: sp.Symbol, small: sp.Symbol) -> sp.Expr | None:
+    """An expression by 1/k, for a letter k that has no limit; None where roots of k are left.
+
+    Of a quotient such as √(k − 1)/√k the roots are joined.
+    """
+    inverse = value.subs(letter, 1 / small)
+    if value.is_rational_function(letter):
+        return sp.cancel(sp.together(inverse), small)
+
+    def parted(power: sp.Expr) -> sp.Expr:
+        above, below = sp.fraction(sp.together(power.args[0]))
+        return sp.expand_power_base(above ** power.args[1] / below ** power.args[1])
+
+    roots = [e for e in inverse.atoms(sp.Pow) if e.exp.is_Rational and not e.exp.is_Integer]
+    if any(not root.base.is_rational_function(small) for root in roots):
+        return None
+    own = sp.powsimp(inverse.xreplace({root: parted(root) for root in roots}))
+    left = {e.base for e in own.atoms(sp.Pow) if small in e.free_symbols and not e.exp.is_Integer}
+    if any(base.subs(small, 0).is_zero for base in left):
+        return None
+    return own
 
 
 def _towards_a_right_angle(value: sp.Expr, letter: sp.Symbol) -> sp.Expr:

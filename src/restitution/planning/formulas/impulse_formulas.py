@@ -35,6 +35,7 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.unit_vectors import unit_tree, whole_direction
+from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
 
 
@@ -60,12 +61,15 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
 def body_of_impulse(scene: Scene, event: int) -> str:
     """The body by whose change of momentum the size of an impulse is written.
 
-    It is that with the fewest unknowns: its mass, its velocity before, its velocity after; of
-    several one that was at rest, or whose component stands above, and else that of the shortest
-    numbers.
+    It is the one of which all is given, or that with the fewest unknowns: its mass, its velocity
+    before, its velocity after; of several one that was at rest, or whose component stands above,
+    and else that of the shortest numbers.
     """
     frame = scene.frame(event)
     spheres = scene.spheres(event)
+    given = [sphere for sphere in spheres if _is_all_given(scene, sphere, event)]
+    if len(given) == 1:
+        return given[0]
     best = min(_unknowns(scene, sphere, event) for sphere in spheres)
     fewest = [sphere for sphere in spheres if _unknowns(scene, sphere, event) == best]
     at_rest = [
@@ -81,6 +85,18 @@ def body_of_impulse(scene: Scene, event: int) -> str:
         return min(fewest, key=lambda sphere: _length_of_change(scene, sphere, event))
     body = (at_rest or fewest)[-1 if at_rest else 0]
     return closed[0] if closed and body not in closed else body
+
+
+def _is_all_given(scene: Scene, sphere: str, event: int) -> bool:
+    """Whether the data tell the mass of a sphere and its velocity before and after an impact."""
+    mark = scene.desk.mark()
+    after = velocity_given(scene, sphere, event)
+    scene.desk.back(mark)
+    if after is None or scene.last_event(sphere, event - 1):
+        return False
+    sources = (*scene.mass(sphere).refs, *after[2], *scene.initial(sphere).refs)
+    lines = any(isinstance(ref, int) for ref in sources)
+    return not lines and not any(map(scene.unknown, after[1]))
 
 
 def _stands_above(scene: Scene, sphere: str, event: int) -> bool:

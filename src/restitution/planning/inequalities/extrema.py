@@ -12,7 +12,16 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Line, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Line,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    numbers_in,
+)
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -43,6 +52,7 @@ from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.inverses import inverse_by_lines
 from restitution.planning.inequalities.letter_ranges import ranges_of
+from restitution.planning.inequalities.nearing import comes_to, roots_by_a_root
 from restitution.planning.inequalities.over_offsets import offset_over, role_of
 from restitution.planning.inequalities.quotients import by_tangent, write_quotient
 from restitution.planning.inequalities.wide_angles import compared_by_cosine, cosine_of
@@ -57,11 +67,11 @@ from restitution.planning.writing.forms import (
     tree_of,
 )
 from restitution.planning.writing.polynomials import expanded, one_fraction, polynomial_in
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer, ItemResult
 from restitution.solving.story.letters import roles
 
-_STEP, _CLOSE = sp.Float("1e-9"), 1e-3
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 
 
@@ -174,11 +184,16 @@ class _Extremum:
                     self.claims.worths.back(start)
                     self.end, self.value = end, value
             return self._at_an_end()
-        if (
-            isinstance(self.asked, Letter)
-            and (tied := self._of_tied_letter(self.asked)) is not None
-        ):
-            return tied
+        if isinstance(self.asked, Letter):
+            self.claims.ties.lines()
+            start = self.claims.worths.mark()
+            try:
+                tied = self._of_tied_letter(self.asked)
+            except NotPlannedError:
+                self.claims.worths.back(start)
+                tied = None
+            if tied is not None:
+                return tied
         start = self.claims.worths.mark()
         line = self._lettered()
         if line is None:
@@ -188,7 +203,7 @@ class _Extremum:
             self._say_as_stated(line)
         end = self.end
         defined = self._as_defined(start, line)
-        methods = [self._monotone, self._quotient, self._square, self._double]
+        methods = [self._as_known, self._monotone, self._quotient, self._square, self._double]
         methods += [self._square_between, self._gap, self._plain]
         if defined is not None:
             line = defined
@@ -326,10 +341,11 @@ class _Extremum:
             by_ratio = inverse_by_lines(self.scene, lines, asked, self.value)
             self.end = self.end if by_ratio is None else replace(self.end, right=by_ratio)
         bound = self.claims.write(self._relation)
-        other = self.role
         for line in lines:
-            for end in (other.low, other.high):
-                if end is None or not self._comes_to(asked.name, end):
+            for end in (self.role.low, self.role.high):
+                if end is None or not comes_to(
+                    self.scene, asked.name, self.value, self.symbol, end
+                ):
                     continue
                 unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
                 pool = [line, *self._known(asked.name, self.symbol.name)]
@@ -342,34 +358,6 @@ class _Extremum:
                         return self.scene.desk.write(self.move, [bound, there], self._relation)
         raise NotPlannedError("a greatest or least value of a letter")
 
-    def _comes_to(self, name: str, end: sp.Expr) -> bool:
-        """Whether the value of a letter comes to the extremum as the other one comes to an end.
-
-        An equation that has no solution there says nothing: so it is tried close to the end.
-        """
-        final = {symbol.name: value for symbol, value in self.scene.model.final.items()}
-        if name in final:
-            return self._nears(final[name], self.symbol, end, self.value)
-        own = self.symbol.name
-        return own in final and self._nears(
-            final[own], roles(self.scene.problem)[name].symbol(name), self.value, end
-        )
-
-    def _nears(self, value: sp.Expr, letter: sp.Symbol, place: sp.Expr, wanted: sp.Expr) -> bool:
-        """Whether an expression is close to what is wanted where a letter is close to a place."""
-        sample = self.scene.model.branch.sample
-        data = {
-            symbol: sp.Float(float(sample[symbol.name]))
-            for expression in (value, place, wanted)
-            for symbol in expression.free_symbols - {letter}
-            if symbol.name in sample
-        }
-        near = (
-            sp.N(value.subs({**data, letter: place.subs(data) + step})) for step in (_STEP, -_STEP)
-        )
-        goal = sp.N(wanted.subs(data))
-        return any(bool(value.is_real) and abs(value - goal) < _CLOSE for value in near)
-
     def _line(self) -> int:
         match self.asked:
             case Letter(letter):
@@ -377,7 +365,7 @@ class _Extremum:
                     line = self.claims.ties.subject(number, letter)
                     if line is not None:
                         return line
-                raise NotPlannedError(f"{letter} by other letters")
+                return self._solved(letter)
             case Apply("tan", Quantity() as angle):
                 return self.claims.worths.angle(angle)
         if is_tangent_of_letters(self.asked):
@@ -387,6 +375,16 @@ class _Extremum:
         if line is None:
             raise NotPlannedError("an expression of several quantities")
         return line
+
+    def _solved(self, letter: str) -> int:
+        """The line of a letter for which the facts are solved: of a coefficient, by its square."""
+        symbol = roles(self.scene.problem)[letter].symbol(letter)
+        self.claims.solver.determine([symbol])
+        known = self.scene.desk.known(Letter(letter))
+        lines = () if known is None else numbers_in(known.refs)
+        if not lines or len(self.scene.desk.relation(lines[-1]).options) != 1:
+            raise NotPlannedError(f"{letter} by other letters")
+        return lines[-1]
 
     def _lettered(self) -> int | None:
         """The line of a tangent by the letter for its angle, where one stands already."""
@@ -531,6 +529,9 @@ class _Extremum:
             t = sp.Dummy("t", positive=True)
             x = sp.fraction(one_fraction(expanded(by_tangent(gap, self.symbol, t) ** 1)))[0]
             subject, generator = Apply("tan", letter), t  # type: ignore[assignment]
+        if not self.angle and (squares := roots_by_a_root(x, self.symbol)) is not None:
+            yield from (Link(letter, "=", tree_of(own)) for own in squares)
+            return
         if any(p.exp == sp.Rational(1, 2) and generator in p.free_symbols for p in x.atoms(sp.Pow)):
             gap = self._value(line) ** 2 - self.value**2
             if self.angle:
@@ -581,6 +582,13 @@ class _Extremum:
         return self.claims.worths.value(self.scene.desk.last_link(line).right)
 
     # --- methods ----------------------------------------------------------------------------------
+
+    def _as_known(self, line: int) -> int | None:
+        """The bound that holds of a letter anyway: a coefficient is at most 1."""
+        if not isinstance(self.asked, Letter) or self.end.left != self.asked:
+            return None
+        known = background(self.scene, {self.asked.name})
+        return self.judge.write((Move("compare"),), known, self._relation) if known else None
 
     def _monotone(self, line: int) -> int | None:
         """What only grows, or only falls, is greatest or least at an end."""

@@ -83,7 +83,9 @@ class Ties:
     def lines(self) -> list[int]:
         """The equations between letters that the facts give, as lines."""
         if self._lines is None:
-            self._lines = list(self._written_ties())
+            # Alternatives tie no letters: which of them holds is said by another line.
+            own = list(self._written_ties())
+            self._lines = [e for e in own if len(self.scene.desk.relation(e).options) == 1]
         return self._lines
 
     def _written_ties(self) -> Iterator[int]:
@@ -371,6 +373,17 @@ class Ties:
         link = self.scene.desk.last_link(line)
         if link.left == Letter(letter):
             return line
+        own = self.scene.desk.line(line)
+        if isinstance(link.left, Letter) and own.move.id == "rearrange" and len(own.premises) == 1:
+            # The other letter need not stand alone first.
+            (above,) = own.premises
+            relation = self.scene.desk.relation(above) if isinstance(above, int) else None
+            if (
+                relation is not None
+                and len(relation.options) == 1
+                and not has_quantity_in(relation)
+            ):
+                line, link = above, self.scene.desk.last_link(above)
         x = sp.fraction(one_fraction(self.worths.value(link.left) - self.worths.value(link.right)))[
             0
         ]

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.figure_multiples import is_one_term
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming, with_article
 from restitution.workings.naming.senses_at_walls import away, is_turned
@@ -235,6 +236,7 @@ class Carried:
         for velocity in dict.fromkeys(resolved):
             if resolved.count(velocity) > 1:
                 yield say("carried.components", velocity=self._naming.layout(velocity))
+        beside_numbers = any(map(self._is_a_number, lines))
         for line in lines:
             if any(resolved.count(velocity) > 1 for velocity in _resolved(line)):
                 continue
@@ -248,12 +250,22 @@ class Carried:
             link = self._figures(Link(left, "=", line.relation.only[-1].right))
             value = self._naming.layout(link.right)
             own = left == self._subject
-            number = isinstance(left, Letter) and not letters(link.right)
-            if not (own or (number and is_plain(value))):
+            number = isinstance(left, Letter) and not letters(link.right) and is_plain(value)
+            # Beside a number a short value in letters is said too.
+            number |= beside_numbers and isinstance(left, Letter) and is_one_term(link.right)
+            if not (own or number):
                 yield self._name(line)
                 continue
             value = with_unit(value, self._measures.unit(left)) if is_plain(value) else value
             yield lay.Relation((self._naming.layout(left), value), (link.sign,))
+
+    def _is_a_number(self, line: Line) -> bool:
+        """Whether a line gives a letter as a number."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[0]
+        right = line.relation.only[-1].right
+        plain = isinstance(link.left, Letter) and not letters(right)
+        return plain and is_plain(self._naming.layout(right))
 
     def _name(self, line: Line) -> Sentence | lay.Layout:
         """What a line says the value of: a letter, or words with an article."""

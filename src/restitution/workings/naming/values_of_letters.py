@@ -30,6 +30,17 @@ from restitution.workings.naming.quantities import Naming
 _STRICT: Mapping[str, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
 
 
+def _stands_just_above(derivation: Derivation, line: Line) -> bool:
+    """Whether the line of a value is the last one above, in the same item: it is read there."""
+    above = derivation.line(line.number - 1)
+    return (
+        above is not None
+        and above.number in line.premises
+        and above.item == line.item
+        and above.shown == "line"
+    )
+
+
 def with_values(
     derivation: Derivation, naming: Naming, line: Line, links: tuple[Link, ...]
 ) -> tuple[Link, ...]:
@@ -54,6 +65,8 @@ def with_values(
     if line.move.id == "sign" and own.left in known and is_zero(own.right):
         value = known[own.left]
         if has_quantity(value) or any(is_binary(e, "+", "-") for e in walk(value)):
+            return links
+        if isinstance(own.left, Quantity) and _stands_just_above(derivation, line):
             return links
         named = Link(own.left, "=", value)
         return (named,) if is_zero(value) else (named, Link(value, own.sign, own.right))

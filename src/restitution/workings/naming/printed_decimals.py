@@ -1,0 +1,77 @@
+"""Fractions that an answer has printed as decimals, and that are decimals from then."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import Derivation, Link, Relation
+from restitution.explaining.lines.trees import rebuilt, trees_of
+from restitution.expression.tree import Binary, Expression, Number, unsigned, walk
+from restitution.render import layout as lay
+from restitution.workings.naming.measured import as_decimal
+from restitution.workings.naming.row_sides import is_vector_of_short_decimals
+
+
+class PrintedDecimals:
+    """The fractions of a working that stand as decimals in an answer: 2.2𝐢 + 5.35𝐣.
+
+    A fraction that was typed stays as it was typed.
+    """
+
+    def __init__(self, derivation: Derivation, among_decimals: bool) -> None:
+        # Where the data are decimals a number is one, too: 5.8.
+        self._numbers = among_decimals
+        relations = [e.relation for e in derivation.facts if isinstance(e.relation, Relation)]
+        self._typed = {
+            abs(value)
+            for relation in relations
+            for tree in trees_of(relation)
+            for value in _fractions(tree)
+        }
+        self._printed: set[Fraction] = set()
+
+    def put(self, trees: list[Expression]) -> list[Expression]:
+        """The sides of a chain with these decimals; what they come to is a decimal too."""
+        if not self._printed:
+            return trees
+        own = [rebuilt(tree, self._decimal) for tree in trees]
+        if own == trees:
+            return trees
+        if own[-1] == trees[-1]:
+            own[-1] = as_decimal(own[-1])
+            self._note(trees[-1])
+        return own
+
+    def note(self, link: Link, tree: Expression, side: lay.Layout, sign: str) -> None:
+        """Notes the components of a vector, or a number, that a row has as decimals now."""
+        match side:
+            case lay.Phrase((lay.Brackets(inside) | inside, lay.Words()), _):
+                side = inside
+        number = self._numbers and isinstance(unsigned(tree), Number)
+        if sign == "=" and (number or is_vector_of_short_decimals(side)):
+            self._note(link.right)
+
+    def _note(self, tree: Expression) -> None:
+        self._printed |= {abs(value) for value in _fractions(tree)} - self._typed
+
+    def _decimal(self, tree: Expression) -> Expression:
+        match tree:
+            case Binary("/", Number(above), Number(below)) if above / below in self._printed:
+                return Number(above / below)
+        return tree
+
+
+def _fractions(tree: Expression) -> list[Fraction]:
+    """The fractions of two numbers in a tree that are decimals with an end."""
+    return [
+        node.left.value / node.right.value
+        for node in walk(tree)
+        if isinstance(node, Binary)
+        and isinstance(node.left, Number)
+        and isinstance(node.right, Number)
+        and node.op == "/"
+        and as_decimal(node) != node
+    ]
+
+
+__all__ = ["PrintedDecimals"]
