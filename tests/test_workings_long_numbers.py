@@ -68,3 +68,12 @@ def test_roots_stay_where_a_mass_alone_is_a_decimal() -> None:
     )
     assert "√5" in text
     assert "≈ ½" not in text
+
+
+def test_a_cosine_of_figures_is_one_number() -> None:
+    text = printed(
+        "sphere P: mass 0.5, velocity 2.4i - 1.8j\nwall W: along 4i + 3j\nP hits W: e = 0.4\n"
+        "find angle(velocity(P), velocity(P, 0))"
+    )
+    assert "(√(4² + 297²)√(4² + 3²)) ≈ −0.6107" in text
+    assert "/1485" not in text

@@ -59,6 +59,7 @@ from restitution.problem import (
     Part,
     Problem,
     Range,
+    Show,
     Step,
 )
 from restitution.problem import Relation as Said
@@ -104,7 +105,9 @@ def write_clash(
 def _is_in_letters_asked(part: PartSolution, desk: Desk, note: Note) -> bool:
     """Whether the last line of a contradiction still has a letter of which the value is asked."""
     asked = {
-        item.item.expression.name for item in part.items if isinstance(item.item.expression, Letter)
+        item.item.expression.name
+        for item in part.items
+        if not isinstance(item.item, Show) and isinstance(item.item.expression, Letter)
     }
     lines = note.lines if note.kind == "contradiction" else ()
     return any(asked & letters(tree) for e in lines for tree in trees_of(desk.relation(e)))

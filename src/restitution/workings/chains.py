@@ -54,13 +54,12 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figure_multiples import beside_figures
 from restitution.workings.naming.figures import (
     Figures,
-    has_only_standard_angles,
     has_plain_angles,
     is_with_calculator,
     of_plain_angles,
     plain_angles,
 )
-from restitution.workings.naming.long_numbers import has_long_numbers
+from restitution.workings.naming.long_numbers import has_long_numbers, keeps_short_sums
 from restitution.workings.naming.measured import (
     Measures,
     as_answer,
@@ -131,7 +130,7 @@ class Chains:
         self._ends = ends
         self._long_numbers = measures.decimals and has_long_numbers(derivation)
         calculator = self._long_numbers or is_with_calculator(derivation)
-        short = has_only_standard_angles(derivation)
+        short = keeps_short_sums(derivation)
         self._figures = Figures(calculator, measures.decimals, finer, self._long_numbers, short)
         self._decimals = PrintedDecimals(derivation, measures.decimals)
         # Lines with figures in place of values: their first two sides, by the number.
@@ -446,6 +445,8 @@ class Chains:
             if behind or has_long_root(trees[-1]):
                 # Nobody multiplies two roots to have one of such a number, or cosines of figures.
                 trees[-1] = self._figures.cosine(exact[-1] if behind else trees[-1])
+            elif trees[-1] != exact[-1] and is_made_of_figures(trees[-1]):
+                trees[-1] = self._figures.cosine(exact[-1])  # one number: no quotient of figures
         if not plain and self._goes_on_in_figures(line):
             own = trees[-1] if letters(exact[-1]) else exact[-1]
             outcome = self._figures.outcome(own)

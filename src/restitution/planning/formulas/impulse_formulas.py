@@ -96,7 +96,7 @@ def _is_all_given(scene: Scene, sphere: str, event: int) -> bool:
         return False
     sources = (*scene.mass(sphere).refs, *after[2], *scene.initial(sphere).refs)
     lines = any(isinstance(ref, int) for ref in sources)
-    return not lines and not any(map(scene.unknown, after[1]))
+    return not lines and not any(map(scene.unknown, (scene.mass(sphere).value, *after[1])))
 
 
 def _stands_above(scene: Scene, sphere: str, event: int) -> bool:

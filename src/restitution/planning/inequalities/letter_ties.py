@@ -377,12 +377,7 @@ class Ties:
         if isinstance(link.left, Letter) and own.move.id == "rearrange" and len(own.premises) == 1:
             # The other letter need not stand alone first.
             (above,) = own.premises
-            relation = self.scene.desk.relation(above) if isinstance(above, int) else None
-            if (
-                relation is not None
-                and len(relation.options) == 1
-                and not has_quantity_in(relation)
-            ):
+            if isinstance(above, int) and self._ties_letters(above):
                 line, link = above, self.scene.desk.last_link(above)
         x = sp.fraction(one_fraction(self.worths.value(link.left) - self.worths.value(link.right)))[
             0
@@ -396,6 +391,11 @@ class Ties:
         cleared = written_by_clearing(self.scene, self.judge, pool, alone)
         moves = (Move("rearrange"), Move("cancel"))
         return cleared or self.judge.write(moves, pool, equality(alone.left, alone.right))
+
+    def _ties_letters(self, line: int) -> bool:
+        """Whether a line is an equation between letters, and no choice of several."""
+        relation = self.scene.desk.relation(line)
+        return len(relation.options) == 1 and not has_quantity_in(relation)
 
     def _gap(self, link: Link) -> sp.Expr:
         """Left minus right of an equation, without its denominators."""

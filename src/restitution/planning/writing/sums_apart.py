@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
@@ -23,6 +24,7 @@ from restitution.expression.tree import (
     is_binary,
     letters,
     rational,
+    unsigned,
     walk,
 )
 from restitution.oracle import Oracle
@@ -45,16 +47,15 @@ def with_sums_apart(derivation: Derivation, oracle: Oracle) -> Derivation:
 def _put_in(derivation: Derivation) -> Iterator[Expression]:
     """The quotients that a line has by themselves, or as a component, and another line too."""
     relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
-    within = Counter(
+    within: Counter[Expression] = Counter(
         tree
         for relation in relations
         for tree in {node for side in trees_of(relation) for node in walk(side)}
-        if is_binary(tree, "/")
     )
     for relation in relations:
         for side in trees_of(relation):
             for node in _components(side):
-                if within[node] >= _SEVERAL and letters(node):
+                if is_binary(node, "/") and within[node] >= _SEVERAL and letters(node):
                     yield node
 
 
@@ -84,21 +85,27 @@ def _apart(tree: Expression) -> Expression | None:
             return None
     if has_quantity(tree):
         return None
-    plain, numbers = [], []
+    plain: list[Expression] = []
+    numbers: list[Expression] = []
     for term in outer_terms(above):
-        own = term.operand if isinstance(term, Negate) else term
-        match own:
-            case Number(size):
-                share, rest = size / below, None
-            case Binary("*", Number(size), rest):
-                share = size / below
-            case rest:
-                share = 1 / below
+        own = unsigned(term)
+        size, rest = _size_and_rest(own)
+        share = size / below
         if (share.denominator == 1) == (rest is None):
             return None
         new = rational(share) if rest is None else product(rational(share), rest)
         (numbers if rest is None else plain).append(new if own is term else negative(new))
     return total([*plain, *numbers])
+
+
+def _size_and_rest(term: Expression) -> tuple[Fraction, Expression | None]:
+    """The number before a term, and what it is before; None of a number alone."""
+    match term:
+        case Number(size):
+            return size, None
+        case Binary("*", Number(size), rest):
+            return size, rest
+    return Fraction(1), term
 
 
 def _with(derivation: Derivation, put: dict[Expression, Expression], oracle: Oracle) -> Derivation:

@@ -119,12 +119,6 @@ def is_with_calculator(derivation: Derivation) -> bool:
     return bool(angles) or (not in_letters and any(map(_is_of_long_roots, relations)))
 
 
-def has_only_standard_angles(derivation: Derivation) -> bool:
-    """Whether no line of a working has a ratio of an angle such as 15° or 37°."""
-    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
-    return not any(plain_angles(tree) for relation in relations for tree in relation.trees)
-
-
 def _is_of_long_roots(relation: Relation) -> bool:
     """Whether a relation comes to a root of a sum of roots, or to a tangent that is such a sum."""
     for option in relation.options:

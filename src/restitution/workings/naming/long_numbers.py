@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Relation
-from restitution.expression.tree import Number, has_root, walk
-from restitution.workings.naming.figures import is_with_calculator
-from restitution.workings.naming.roots_of_roots import has_unwieldy_root
+from restitution.expression.tree import Letter, Number, has_root, walk
+from restitution.workings.naming.figures import is_with_calculator, plain_angles
+from restitution.workings.naming.roots_of_roots import (
+    has_unwieldy_root,
+    is_of_nested_roots,
+    is_short_sum_of_a_root,
+)
 
 
 def has_long_numbers(derivation: Derivation) -> bool:
@@ -22,6 +26,20 @@ def has_long_numbers(derivation: Derivation) -> bool:
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
     shown = [end.answer for end in derivation.items if end.shown]
     return not any(has_root(tree) for relation in (*data, *shown) for tree in relation.trees)
+
+
+def keeps_short_sums(derivation: Derivation) -> bool:
+    """Whether short sums with a root stay exact, though there is a calculator: 3 + 2√3.
+
+    They do where no line has a ratio of an angle such as 15° or 37°, and no letter is worth a
+    longer sum.
+    """
+    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
+    if any(plain_angles(tree) for relation in relations for tree in relation.trees):
+        return False
+    links = [link for relation in relations for option in relation.options for link in option]
+    worths = [link.right for link in links if isinstance(link.left, Letter)]
+    return all(is_short_sum_of_a_root(e) for e in worths if is_of_nested_roots(e, True))
 
 
 def _is_in_decimals(fact: Fact) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from restitution.explaining.lines.derivation import Derivation, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Link
 from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.tree import Binary, Expression, Number, unsigned, walk
 from restitution.render import layout as lay
@@ -21,7 +21,7 @@ class PrintedDecimals:
     def __init__(self, derivation: Derivation, among_decimals: bool) -> None:
         # Where the data are decimals a number is one, too: 5.8.
         self._numbers = among_decimals
-        relations = [e.relation for e in derivation.facts if isinstance(e.relation, Relation)]
+        relations = [fact.relation for fact in derivation.facts]
         self._typed = {
             abs(value)
             for relation in relations

@@ -50,10 +50,8 @@ def is_short_sum_of_a_root(tree: Expression) -> bool:
     match tree:
         case Negate(operand):
             return is_short_sum_of_a_root(operand)
-        case Binary("/", above, Number(below)) if below < _SHORT:
+        case Binary("/", Binary("+" | "-") as above, Number(below)) if below < _SHORT:
             return is_short_sum_of_a_root(above)
-        case Binary("*", Number(size), Binary("+" | "-") as inside) if size < _SHORT:
-            return is_short_sum_of_a_root(inside)
         case Binary("+" | "-", left, right):
             one, other = sorted((left, right), key=has_root)
             whole = isinstance(one, Number) and one.value < _SHORT
