@@ -607,3 +607,44 @@ def test_a_short_sum_with_a_root_stays_exact_beside_a_long_one() -> None:
         "A hits B: along i, e = 0.6\nfind speed(A)"
     )
     assert "v ≈ −1.116 m s⁻¹" in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            "sphere P: mass 1, velocity 6 at -30°\nwall W: along i + j\nP hits W: e = 1/2\n",
+            ("stays 6 cos 75° m s⁻¹", "−½ × 6 sin 75°", "= 6 sin 75° + 3 sin 75°"),
+        ),
+        (
+            """
+sphere A: mass 2, velocity 5 at 60°
+sphere B: mass 3, velocity 4 at -150°
+A hits B: along i + j, e = 1/3
+""",
+            ("2 × 5 cos 15° + 3(−4 cos 15°) = 2v + 3w", "3(⅘ cos 15° + 4 cos 15°)"),
+        ),
+        (
+            """
+sphere A: mass 2, velocity 6 at 105°
+sphere B: mass 1, velocity 4 at -45°
+A hits B: along -i + j, e = 1/2
+""",
+            ("2 × 6 cos 30° − 4 = 2v + w",),
+        ),
+    ],
+)
+def test_a_line_along_i_and_j_makes_45_degrees(statement: str, lines: tuple[str, ...]) -> None:
+    """With a velocity that is told by degrees its component is told by their difference."""
+    asked = "find impulse" if "sphere A" in statement else "find speed(P), impulse"
+    text = printed(statement + asked)
+    for line in lines:
+        assert line in text
+
+
+def test_a_value_behind_figures_is_one_number() -> None:
+    text = printed(
+        "sphere A: mass 2, velocity 5 at 70°\nsphere B: mass 3, at rest\n"
+        "A hits B: along i + j, e = 1/3\nfind velocity(A), impulse"
+    )
+    assert "magnitude of the impulse ≈ 3 × 2.417 ≈ 7.25 N s" in text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
@@ -12,14 +13,16 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    Rounded,
     has_quantity,
     is_quantity,
     letters,
     unsigned,
+    walk,
 )
 from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
-from restitution.workings.naming.figures import has_plain_angles
+from restitution.workings.naming.figures import has_plain_angles, of_plain_angles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.row_sides import turned_side
 from restitution.workings.naming.sources import is_displacement, is_time
@@ -62,6 +65,12 @@ def is_multiple(side: lay.Layout) -> bool:
 def is_made_of_figures(tree: Expression) -> bool:
     """Whether a side has numbers alone."""
     return not (has_quantity(tree) or letters(tree) or has_plain_angles(tree))
+
+
+def is_rounded_below(trees: Sequence[Expression], n: int) -> bool:
+    """Whether a side has figures in it, and the next one is a number of degrees alone."""
+    rounded = any(isinstance(node, Rounded) for node in walk(trees[n - 1]))
+    return rounded and of_plain_angles(trees[n]) and not has_quantity(trees[n])
 
 
 def sign_of(link: Link) -> str:

@@ -43,6 +43,7 @@ from restitution.workings.chain_sides import (
     is_by_axis,
     is_made_of_figures,
     is_multiple,
+    is_rounded_below,
     is_value,
     sign_of,
     tangent_left_out,
@@ -507,6 +508,8 @@ class Chains:
         tree, calculated = trees[n], self._figures.with_calculator
         if calculated and n > 1 and is_figures(trees[n - 1]):
             return trees[n - 1]  # it is the same number
+        if calculated and n > 1 and is_rounded_below(trees, n):
+            return self._figures.outcome(tree)
         if calculated and (n > 1 or line.move.id in _WORKED_OUT):
             sum_ = self._figures.sum_in_letters(tree)
             if sum_ is not None:

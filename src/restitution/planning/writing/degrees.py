@@ -12,6 +12,7 @@ from restitution.explaining.data.paths_and_lines import (
     angle_between,
     angles_between,
     degrees_of,
+    in_degrees,
     turn_of_line,
     turn_of_path,
 )
@@ -34,6 +35,8 @@ from restitution.planning.writing.forms import negative, product, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
+
+_PLAIN = 15
 
 
 def by_degrees(
@@ -85,7 +88,7 @@ def angle_to_the_line(scene: Scene, body: str, frame: Frame) -> Expression | Non
         return None  # components are written in one way in the whole working
     own = f"axis {frame.number}" if frame.wall is None else f"wall {frame.wall}"
     path, line = turn_of_path(scene.facts.get(f"velocity {body}")), scene.facts.get(own)
-    turn = turn_of_line(line)
+    turn = turn_of_line(line) or _turn_of_a_vector(scene, body, frame)
     if path is None or turn is None:
         return None
     whole = angle_between(path, turn)
@@ -103,6 +106,21 @@ def angle_to_the_line(scene: Scene, body: str, frame: Frame) -> Expression | Non
         if scene.model.decide(angle, ">=", 0) and scene.model.decide(angle, "<=", sp.pi / 2):
             return tree
     return None
+
+
+def _turn_of_a_vector(scene: Scene, body: str, frame: Frame) -> Expression | None:
+    """The angle of a line along **i** + **j** from **i**, where a velocity is told by degrees.
+
+    Only of multiples of 15° is what it comes to compared with scalar products.
+    """
+    path = turn_of_path(scene.facts.get(f"velocity {body}"))
+    right = scene.facts[f"velocity {body}"].relation.only[-1].right
+    own = None if path is None or not isinstance(right, Polar) else in_degrees(path)
+    direction = frame.direction("along" if frame.wall is None else "across")
+    if own is None or own % _PLAIN or direction.x == 0:
+        return None
+    degrees = sp.deg(sp.atan(tidy(direction.y / direction.x)))
+    return Degrees(Fraction(int(degrees))) if degrees.is_Integer and not degrees % _PLAIN else None
 
 
 def _meet_again(scene: Scene, number: int) -> bool:
