@@ -154,3 +154,35 @@ def test_an_exact_component_is_not_rounded() -> None:
         "A hits B: along i, e = 3/5\nfind velocity(A)\n",
         ("𝐯_A = (4/3)𝐢 + 𝐣 ≈ (1.33𝐢 + 𝐣) m s⁻¹",),
     )
+
+
+@pytest.mark.parametrize(
+    ("velocity", "line", "angle"),
+    [("5i", "30°", "30°"), ("5i", "120°", "60°"), ("-5j", "150°", "60°"), ("4j", "60°", "30°")],
+)
+def test_an_angle_that_is_seen_is_not_worked_out(velocity: str, line: str, angle: str) -> None:
+    text = printed_with(
+        f"wall W: along {line}\nsphere P: velocity {velocity}\nP hits W: e = 1/2\n"
+        "find deflection(P)\n",
+        (f"{angle} to W", "Let β be the angle between 𝐯_P and W.", f"δ = {angle} + "),
+    )
+    assert text.count("tan β =") == 1
+
+
+def test_no_angle_begins_at_nothing() -> None:
+    text = printed_with(
+        "sphere A: mass 2, velocity 4i\nsphere B: mass 3, at rest\n"
+        "A hits B: along -30°, e = 1/2\nfind velocity(B)\n",
+        ("A moves at 30° to the line of centres.",),
+    )
+    assert "0° + 30°" not in text
+
+
+def test_a_velocity_of_degrees_beside_a_line_at_thirty_is_followed() -> None:
+    """A formula would join 40° and 60° to 20°, in which no line is."""
+    printed_with(
+        "wall W: along i\nsphere A: mass m, velocity 5 at 40° to W\n"
+        "sphere B: mass 2m, at rest\nA hits W: e = 1/2\n"
+        "A hits B: along 30°, e = 1/3\nfind velocity(A)\n",
+        ("𝐯_A2 ≈ 0.4578(", "≈ (0.658𝐢 − 0.224𝐣) m s⁻¹"),
+    )

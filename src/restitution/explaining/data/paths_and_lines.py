@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Unit,
     is_binary,
     letters,
+    negated,
     unsigned,
     walk,
 )
@@ -110,10 +111,10 @@ def _less(first: Expression, second: Expression) -> Expression:
     """One angle less another: without the other where it is 0, and a sum where it is negative."""
     if second == Degrees(Fraction(0)):
         return first
+    if first == Degrees(Fraction(0)):
+        return negated(second)
     if isinstance(second, Negate):
         return Binary("+", first, second.operand)
-    if first == Degrees(Fraction(0)):
-        return Negate(second)
     return Binary("-", first, second)
 
 

@@ -110,7 +110,13 @@ def write_formula(scene: Scene, own: Formula) -> int:
             )
             if ratios and not scene.judge.follows(move, (number,), link):
                 by = (Move("identity", name) for name in ("pythagoras", "sum-of-angles"))
-                move = next((m for m in by if scene.judge.follows(m, (number,), link)), move)
+                fitting = next((m for m in by if scene.judge.follows(m, (number,), link)), None)
+                if fitting is None and any(map(_has_ratio_of_degrees, own.value)):
+                    # No formula joins 40° and 20°: the sum is multiplied out, and no more.
+                    parts = (sp.factor_terms(expanded(e)) for e in scene.value(right))
+                    coordinates = (tree_of(part, as_it_is=True) for part in parts)
+                    link = chain(own.left, (vector(*coordinates), None))
+                move = fitting or move
             number = scene.desk.write(move, (number,), link)
     else:
         refs = own.refs
@@ -197,6 +203,12 @@ def _is_figure(value: Any) -> bool:
     """Whether a number is made of sines and cosines of degrees that have no exact values."""
     own = sp.sympify(value, strict=True)
     return bool(own.is_number and atoms_in(own, sp.sin, sp.cos, sp.tan))
+
+
+def _has_ratio_of_degrees(value: Any) -> bool:
+    """Whether a value has a sine or a cosine of degrees that has no exact value."""
+    ratios = atoms_in(sp.sympify(value, strict=True), sp.sin, sp.cos, sp.tan)
+    return any(not ratio.free_symbols for ratio in ratios)
 
 
 def _has_figures(value: Any) -> bool:

@@ -61,7 +61,12 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             angle, turned = Binary("-", RIGHT, angle), sp.pi / 2 - turned
         elif not isinstance(line, Unit | Negate) and origin != line:
             return None
-    forms = ((angle, turned), (Binary("-", STRAIGHT, angle), sp.pi - turned), (None, -turned))
+    forms = (
+        (angle, turned),
+        (Binary("-", STRAIGHT, angle), sp.pi - turned),
+        (None, -turned),
+        (None, sp.pi + turned),
+    )
     for form, value in forms:
         if scene.model.decide(value, ">=", 0) and scene.model.decide(value, "<=", sp.pi / 2):
             own = tidy(value)
@@ -87,7 +92,7 @@ def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Expression | Non
         case right if wall is not None:
             line = wall.relation.only[0].right
             # One along an axis is read off: u at θ to a wall that makes θ with it.
-            plain = isinstance(right, Polar) or isinstance(line, Letter)
+            plain = isinstance(right, Polar) or isinstance(line, Letter | Degrees)
             angle = angle_to_a_line(scene, body, line) if plain else None
     match angle:
         case Letter() | Degrees() | Binary("*", Number(), Letter()):
