@@ -52,10 +52,10 @@ SAYS = {
         ],
     ),
     # The loss is mu²(1 − e²)/16.
-    "a bound shows what cannot be": (
+    "an inequality shows what cannot be": (
         REST.format(m="m", e="").replace("alpha", "60°")
         + "given energy_lost > 1/16 m u^2\nfind range of e",
-        ["kinetic energy lost ≤ (1/16)mu²", "e ≥ 0", "So the data contradict each other."],
+        ["mu²(1 − e²)/16 > mu²/16", "e² < 0", "This cannot be, as a square is not negative."],
     ),
     # 27 > 7k² - 4k + 16.
     "a factor that goes out of an inequality is positive": (

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     has_quantity,
+    is_zero,
     walk,
 )
 from restitution.oracle import REAL
@@ -39,7 +40,7 @@ def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
             pass
         case _:
             return None
-    if _is_negative(link.right, naming):
+    if _is_negative(link.right, naming) or (link.sign == "<" and is_zero(link.right)):
         return say("no-root.square")
     value = _number(link.right)
     if value is None:
