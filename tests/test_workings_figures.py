@@ -648,3 +648,30 @@ def test_a_value_behind_figures_is_one_number() -> None:
         "A hits B: along i + j, e = 1/3\nfind velocity(A), impulse"
     )
     assert "magnitude of the impulse ≈ 3 × 2.417 ≈ 7.25 N s" in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        (
+            """
+sphere A: mass 1, velocity 2 at 45°
+sphere B: mass 2, velocity 4 at 60°
+A hits B: along i, e = 1/2
+find speed(A)
+""",
+            "component of 𝐮_A along 𝐢 = 2 cos 45° = √2 m s⁻¹",
+        ),
+        (
+            """
+sphere P: mass 2, velocity 3 at 30°, at (0, 0)
+wall W: along i through (0, -2)
+P hits W: e = 1/3
+find speed(P)
+""",
+            "component of 𝐮_P along 𝐣 = 3 sin 30° = 3/2 m s⁻¹",
+        ),
+    ],
+)
+def test_components_that_do_not_approach_come_of_the_data(statement: str, line: str) -> None:
+    assert line in printed(statement)

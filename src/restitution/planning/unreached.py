@@ -12,6 +12,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.errors import ImpossibleError, RestitutionError
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Note, Ref, Relation, Sign
 from restitution.explaining.lines.trees import settled
 from restitution.expression.tree import (
@@ -20,6 +21,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Polar,
     Quantity,
     Unit,
     walk,
@@ -29,8 +31,9 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.routes.order import Solver
 from restitution.planning.unfinished import require_followed
 from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.degrees import share_by_degrees
 from restitution.planning.writing.desk import UNPLANNED, Desk, chain, together
-from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.forms import ZERO, negative, product, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Event, Find, Impact, Part, Problem, Step, Value
@@ -171,9 +174,22 @@ def _component(scene: Scene, velocity: Quantity, line: Expression, number: int) 
     if not isinstance(line, Unit) or not isinstance(body, Name):
         return None
     value = scene.vector(velocity).dot(scene.vector(line))
-    relation = chain(Quantity("along", (velocity, line)), (tree_of(value), None))
+    own = _by_degrees(scene, body.name, line, value) or tree_of(value)
+    component = Quantity("along", (velocity, line))
+    relation = chain(component, (own, None), (tree_of(value), "rearrange"))
     move = Move("define", "component", number, (body.name,))
     return scene.judge.write((move,), (f"velocity {body.name}",), relation)
+
+
+def _by_degrees(scene: Scene, body: str, line: Unit, value: sp.Expr) -> Expression | None:
+    """A component along **i** or **j** by the angle of the data: 2 cos 45°; None without one."""
+    right = scene.facts[f"velocity {body}"].relation.only[-1].right
+    if not isinstance(right, Polar):
+        return None
+    size = scene.scalar(right.size)
+    share = share_by_degrees(tidy(value / size), "cos" if line.axis == "i" else "sin")
+    own = None if share is None else product(tree_of(size), share)
+    return negative(own) if own is not None and scene.model.sign(value) < 0 else own
 
 
 def _sense(scene: Scene, step: Impact, number: int, line: Expression) -> Sign | None:
