@@ -231,3 +231,50 @@ find velocity(B), velocity(A)
     purposes = {point["for"]: point["state"] for point in found["marks"]["points"]}
     assert purposes["conservation of momentum along the line of centres"] == "lost"
     assert purposes["conservation of momentum"] == "earned"
+
+
+def test_a_time_over_a_whole_speed_is_of_no_component() -> None:
+    found = marking(LANE, "t = 9/√13 = 2.50", part="a", t="time(1)")
+    assert found["lines"][0]["mistake"]["id"] == "speed-for-component"
+    assert states(found)[:2] == [("M1", "lost"), ("A1", "lost")]
+    right = marking(LANE, "t = 9/3 = 3", part="a", t="time(1)")
+    assert states(right)[:2] == [("M1", "earned"), ("A1", "earned")]
+
+
+def test_a_speed_that_follows_is_not_the_one_before() -> None:
+    lines = "parallel = 12 after", "perpendicular stays 5", "speed = √(144 + 25) = 13"
+    assert verdicts(marking(WALL, *lines))[1:] == ["false", "follows"]
+    assert verdicts(marking(WALL, "initial speed = √(144 + 25) = 13")) == ["true"]
+
+
+def test_a_root_without_squares_is_no_pythagoras() -> None:
+    points = {
+        line: marking(WALL, "velocity of P = 12i + 3j", line)["marks"]["points"]
+        for line in ("speed = √(12 + 3) = 3.87", "speed = √(144 + 3) = 12.1")
+    }
+    method = {
+        line: next(x["state"] for x in found if x["for"].startswith("speed"))
+        for line, found in points.items()
+    }
+    assert list(method.values()) == ["lost", "earned"]
+
+
+def test_an_angle_worked_out_is_the_value_of_its_tangent() -> None:
+    text = WALL.replace("find velocity(P), speed(P)", "find velocity(P), deflection(P)")
+    lines = "velocity of P = 12i + 3j", "tan^-1(3/12) = 14.0", "tan^-1(5/12) = 22.6"
+    found = marking(text, *lines)
+    angles = [x["state"] for x in found["marks"]["points"] if "angle" in x["for"]]
+    assert angles and "earned" in angles
+
+
+def test_whole_numbers_called_components_into_a_wall_are_seen() -> None:
+    slanted = """
+wall W: along 4i + 3j
+sphere P: mass 2, velocity 10i - 5j
+P hits W: e = 1/2
+find velocity(P)
+"""
+    right = states(marking(slanted, "5 along the wall, 10 into the wall"))
+    wrong = states(marking(slanted, "10 along the wall, 5 into the wall"))
+    assert right[0] == ("B1", "earned")
+    assert wrong[0] == ("B1", "lost")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import permutations, product
@@ -26,6 +27,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    Unit,
     is_binary,
     is_component,
     is_function,
@@ -36,7 +38,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judging.certain_letters import is_root_of_a_sum
-from restitution.practice.judging.claimed import has_value, meant_by
+from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.plain_energies import has_energies_of_both
 from restitution.practice.worlds.arrays import is_bare
@@ -258,6 +260,26 @@ def is_separation_as_approach(entry: Entry, world: World) -> bool:
     return False
 
 
+def is_time_by_speed(entry: Entry, world: World) -> bool:
+    """Whether a time is a distance over a whole speed, where it is that over a component."""
+    quotients = [node for node in walk(entry.claim.right) if is_binary(node, "/")]
+    if not is_quantity(meant_by(entry), "time") or len(quotients) != 1:
+        return False
+    distance, own = quotients[0].left, quotients[0].right
+    moving = (_velocity(x, n) for x in world.start for n in range(len(world.events) + 1))
+    for velocity in moving:
+        if not has_value(replace(velocity, kind="speed"), own, entry, world):
+            continue
+        for unit in (Unit("i"), Unit("j")):
+            part = Apply("abs", Quantity("along", (velocity, unit)))
+            resolved: dict[Expression, Expression] = {quotients[0]: Binary("/", distance, part)}
+            right = exchanged(entry.claim.right, resolved)
+            claim = replace(entry.claim, right=right)
+            if not _is_zero(part, world) and holds_in(replace(entry, claim=claim), world):
+                return True
+    return False
+
+
 def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     """Whether a claim is not of the kind in which an altered law shows itself.
 
@@ -374,5 +396,6 @@ SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_restitution_parallel, "restitution-parallel"),
     (is_law_of_relative_velocities, "restitution-whole-speed"),
     (is_separation_as_approach, "restitution-omitted"),
+    (is_time_by_speed, "speed-for-component"),
 )
 """What a line shows by itself, and its name."""

@@ -25,7 +25,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
-from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.judging.entries import Entry, is_numeric, sources_of
 from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.journeys import Journeys
 from restitution.practice.judging.judged_link import JudgedLink
@@ -41,6 +41,28 @@ _TWO = Number(Fraction(2))
 
 class Unlabelled(Journeys):
     """What the last numbers of a working are, where it ends without a name for them."""
+
+    def _at_a_later_moment(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A speed, or an angle, that is true of the motion before an impact and follows after it.
+
+        Who has left a velocity as it was does not speak of the one before.
+        """
+        claim = link.readings[0]
+        label = claim.left
+        if not self.wrong or not isinstance(label, Letter) or not is_phrase(label.name):
+            return None
+        own = self.meanings(line.number).get(label.name)
+        if own is None or not is_quantity(own, "speed", "angle"):
+            return None
+        for tree in self._meanings_of(label.name, line.scope.event):
+            if not is_quantity(tree, own.kind) or _stage_of(tree) <= _stage_of(own):
+                continue
+            other = replace(claim, left=tree)
+            grade = self._best_accuracy(other, self.students(), line, link)
+            if grade is not None:
+                sources = sources_of(claim, self.entries)
+                return JudgedLink("follows", other, grade, sources, meant=((label.name, tree),))
+        return None
 
     def _explained_otherwise(self, entry: Entry) -> Explained | None:
         """What explains an energy in words as one at another moment: ``KE before = 0.5 × 100``."""
@@ -202,3 +224,9 @@ def _value_of(line: ScriptLine) -> Expression | None:
         return None
     worked = (tree for tree in (*sides, *line.values) if isinstance(tree, Binary))
     return next(worked, None)
+
+
+def _stage_of(tree: Expression) -> int:
+    """After which event a quantity is meant."""
+    stages = (x.stage for x in walk(tree) if isinstance(x, Quantity) and isinstance(x.stage, int))
+    return max(stages, default=0)

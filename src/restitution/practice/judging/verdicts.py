@@ -588,6 +588,8 @@ class Judge(Unlabelled):
             return misquoted
         held = self._holds(link, line, self.worlds)
         if held is not None:
+            if (later := self._at_a_later_moment(line, link)) is not None:
+                return later
             accuracy, claim = held
             if claim.sign != "=" and claim != link.readings[0] and self.wrong:
                 # An inequality may be true by chance, in a reading that nobody means.

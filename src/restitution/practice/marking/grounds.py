@@ -442,11 +442,17 @@ class Grounds:
         return next((line for line in true if self.values.puts_in_energy(line)), None)
 
     def _of_difference(self, point: MarkPoint) -> PointMark | None:
-        """A speed by a difference of squares, which is no theorem of Pythagoras."""
+        """A speed by a difference of squares, or with none, which is no theorem of Pythagoras."""
         if point.principle != "speed" or self._has_true_line(point):
             return None
         wrong = next(
-            (x for x in self.lines if subtracts_squares(x) and self.values.is_of_a_speed(x)), None
+            (
+                x
+                for x in self.lines
+                if (subtracts_squares(x) and self.values.is_of_a_speed(x))
+                or self.values.lacks_squares(point, x)
+            ),
+            None,
         )
         why = "the squares of the components are added"
         return None if wrong is None else PointMark(point, "lost", wrong.line.number, why)

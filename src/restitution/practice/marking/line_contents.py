@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Literal
 
 import numpy as np
@@ -15,6 +16,7 @@ from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     COMPONENTS,
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -80,6 +82,23 @@ _BEFORE_AND_AFTER = re.compile(
     r"\s*(?:angles?\s+)?before\W+[\d.]+°?\W+(?:and\s+)?after\W+[\d.]+°?\s*", re.IGNORECASE
 )
 _PARTS = re.compile(r"\b(?:parts?|bits?|components?|comps?|resolv\w+)\b", re.IGNORECASE)
+
+
+_NUMBER_AND_WORD = re.compile(
+    r"(?<![\w.√/])(\d+)\s*(?:m/s\s*)?(?:is\s+)?(perp|normal|into\b)"
+    r"|\b(perp\w*|normal|into)\b\W*(\d+)(?![\w.√/])",
+    re.IGNORECASE,
+)
+
+
+def numbers_into_a_wall(text: str, *, before: bool) -> frozenset[int]:
+    """The whole numbers that a remark calls components at right angles to a wall: ``2 perp``.
+
+    What goes *into* it is one ``before`` the impact.
+    """
+    matches = _NUMBER_AND_WORD.findall(text)
+    pairs = [(one or other, (word or label).lower()) for one, word, label, other in matches]
+    return frozenset(int(number) for number, word in pairs if before or word != "into")
 
 
 @dataclass(frozen=True, eq=False)
@@ -269,6 +288,28 @@ class LineContents(Sides):
             return False
         own, true = (np.abs(spread_of(self._base, value)) for value in values)
         return bool(np.all(true > 0) and np.all(np.abs(own - true) <= _ROUNDED * true))
+
+    def lacks_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a false line has a speed as the root of its components' sum: ``√(8 + 2)``."""
+        speed = None if point.link is None else point.link.left
+        if line.mistake is None or line.mistake.id != "square-not-taken" or speed is None:
+            return False
+        two = Number(Fraction(2))
+        sums = (
+            node.argument
+            for link in line.line.links
+            for node in walk(link.readings[0].right)
+            if is_function(node, "sqrt")
+        )
+        return any(
+            is_binary(tree, "+")
+            and self._is_nearly(
+                Apply("sqrt", Binary("+", *(Binary("^", x, two) for x in (tree.left, tree.right)))),
+                speed,
+                line,
+            )
+            for tree in sums
+        )
 
     def is_sum_of_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives the square of a point's speed as a sum: ``v² = u²/4 + u²/36``."""

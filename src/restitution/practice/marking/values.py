@@ -30,7 +30,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.directions import Directions
-from restitution.practice.marking.line_contents import Match
+from restitution.practice.marking.line_contents import Match, numbers_into_a_wall
 from restitution.practice.marking.lines import is_slip, ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
@@ -111,7 +111,9 @@ class Values(Directions):
             computed = point.principle in ("energy", "component") or point.letter == "A"
             computed = computed or point.item is not None
             open_ = self._is_open(point, line)
-            computed = computed and self._computes(point.link.left, line, open_)
+            left = point.link.left
+            trees = (left, left.argument) if is_function(left, "tan", "cos", "sin") else (left,)
+            computed = computed and any(self._computes(tree, line, open_) for tree in trees)
             between = point.letter == "A" and point.item is None
             computed = computed or (between and self.gives_multiple(point, line))
             whole = self._gives_whole(point.link.left, line)
@@ -510,7 +512,7 @@ class Values(Directions):
     def is_seen(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the value of a point stands in a line that states nothing about it.
 
-        A whole number is none, as too many are alike, but behind a word such as *perp*.
+        A whole number is none, as too many are alike, but beside a word such as *perp*.
         """
         link = point.link
         slipped = line.verdict == "false" and is_slip(line) and bool(line.line.links)
@@ -522,12 +524,17 @@ class Values(Directions):
         left = line.line.links[0].readings[0].left if slipped else None
         values = line.line.values if left is None else () if any(names_in(left)) else (left,)
         across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
+        at_wall = point.principle in ("component", "restitution") and len(point.bodies) < _SEVERAL
+        before = point.principle == "component"
+        into = numbers_into_a_wall(line.line.text, before=before) if at_wall else frozenset[int]()
         return any(
             self._is_worth(value, link.left, line)
             or (is_fine(value) and self._is_rounded_to(value, link.left, line))
             or self._is_vector_part(value, point, line)
             for value in values
-            if across or not (isinstance(value, Number) and value.value.denominator == 1)
+            if across
+            or not (isinstance(value, Number) and value.value.denominator == 1)
+            or value.value in into
         )
 
     def is_at_a_wall(self, point: MarkPoint) -> bool:

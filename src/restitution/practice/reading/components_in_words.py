@@ -36,7 +36,12 @@ def stays(match: re.Match[str], _: Problem) -> str:
 
 
 def has_along(match: re.Match[str], problem: Problem) -> str:
-    """The component that a sphere has along or across the line of centres."""
+    """The component that a sphere has along or across the line of centres.
+
+    What is along *it* may be along a wall.
+    """
+    if match[3].lower() == "it" and problem.walls:
+        return match[0]
     spheres = {sphere.name for sphere in problem.spheres}
     if match[4] not in {*spheres, None} or (match[4] is None and match[3].lower() != "it"):
         return match[0]

@@ -225,13 +225,16 @@ class _Match:
     def __init__(self, tried: States, slots: Slots, numbers: Sequence[Array], exact: bool) -> None:
         self.slots = slots
         self.rows = tried.rows
-        self.cancelled = [np.ones(tried.rows), *(x[: tried.rows] for x in slots.cancelled)]
         self.near = 1e-6 if exact else 5e-3
         loose = tried.loose(slots.event)
         self.true = [number[: tried.rows] for number in numbers]
         self.free = [number[loose] for number in numbers]
         kept = [term for term in slots.terms if np.any(np.abs(term[: tried.rows]) > _NOTHING)]
         self.terms = [(term[: tried.rows], term[loose]) for term in kept]
+        # The velocity of a body that was at rest is no impulse divided by its mass.
+        alone = slots.law == "impulse" and len(kept) < len(slots.terms)
+        divided = () if alone else slots.cancelled
+        self.cancelled = [np.ones(tried.rows), *(x[: tried.rows] for x in divided)]
         self.masks = range(1, 2 ** len(self.true))
         self.sums = [self._sum(self.true, mask) for mask in range(2 ** len(self.true))]
 
