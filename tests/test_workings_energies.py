@@ -130,3 +130,16 @@ def test_what_one_sphere_loses_at_a_wall_is_called_that() -> None:
         "S hits V: e = 1/3\nfind energy_lost(S)"
     )
     assert "kinetic energy lost by S = ½ × 2(3² − 1²) = 8 J" in text.partition("Second impact")[2]
+
+
+def test_a_loss_of_given_velocities_cites_no_line_of_centres() -> None:
+    statement = """
+sphere A: mass 2, velocity 2i + j
+sphere B: mass 1.5, velocity -2i + 3j
+A hits B: along i
+given velocity(A) = -i + j, velocity(B) = 2i + 3j
+find energy_lost
+"""
+    working = explain(solve(parse(statement)), check=True)
+    assert not working.warnings
+    assert "½ × 2(2² − 1²) + ½ × 1.5(2² − 2²) = 3 J" in str(working)

@@ -424,9 +424,9 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         refs += [*own, *early.whole, *late.whole]
     move = Move("define", "energy-lost", event, scene.spheres(event))
     pool = together(refs)
-    axis = numbers_in(frame.refs) if 0 in frame.n else []
+    axis = frame.refs if 0 in frame.n else ()
     if axis:
-        # Along i, or j, the velocities tell the same without the line that finds the axis.
+        # Along i, or j, the velocities tell the same without what gives the axis.
         bare = tuple(ref for ref in pool if ref not in axis)
         if scene.judge.follows(move, bare, chain(quantity, (swept(total(terms)), None))):
             pool = bare
