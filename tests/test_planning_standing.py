@@ -403,8 +403,8 @@ find v in terms of u, e
 show u/2 <= v <= 2u
 """
     )
-    reason = "0 ≤ e ≤ 1 and it is u/2 if e = 0 and 2u if e = 1 (as required)"
-    assert f"as (1 + e)u/(2 − e) increases with e, {reason}" in " ".join(text.split())
+    growth = "(1 + e)u/(2 − e) increases with e, from u/2 if e = 0 to 2u if e = 1 (as required)"
+    assert f"as 0 ≤ e ≤ 1 and {growth}" in " ".join(text.split())
 
 
 def test_a_direction_from_a_slanting_wall_says_on_which_side_of_it_the_path_is() -> None:

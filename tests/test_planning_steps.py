@@ -802,3 +802,35 @@ find d
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     assert "= (17 + √33)/24 sin φ = √((7 − √33)/24) = (√33 − 3)/12" in working
     assert "If tan φ = (√11 + 3√3)/8: cos²φ" in working
+
+
+def test_a_ratio_of_masses_without_letters_is_put_in() -> None:
+    text = """
+sphere A: velocity 3i + j
+sphere B: velocity -2i
+A hits B: along i
+given velocity(A) = -i + j, velocity(B) = i
+find mass(A)/mass(B)
+"""
+    working = explain(solve(parse(text)), check=True)
+    assert not working.warnings
+    assert "(mass of A)/(mass of B) = ¾" in str(working)
+
+
+def test_an_answer_that_only_a_calculator_knows_has_the_figures_that_go_on() -> None:
+    text = """
+wall AB: along i
+wall BC: along 65°
+sphere P: velocity 10 at 40° to AB
+P hits AB: e = 0.7
+part a
+find speed(P), angle(velocity(P), AB)
+P hits BC: e = 0.5
+part b
+find speed(P)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "≈ 8.884 ≈ 8.88 m s⁻¹" in working
+    assert "≈ 30.43° ≈ 30.4°" in working
+    assert "8.884 sin 34.57°" in working
+    assert "≈ 7.74 m s⁻¹" in working

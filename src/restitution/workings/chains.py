@@ -49,6 +49,7 @@ from restitution.workings.chain_sides import (
     tangent_left_out,
     unrationalised,
 )
+from restitution.workings.fuller_figures import goes_into_numbers, one_figure_more
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.ends import Ends
@@ -68,7 +69,6 @@ from restitution.workings.naming.measured import (
     is_long_quotient,
     is_measure_of_angle,
     is_plain,
-    multiple_in_figures,
     percentage,
     terms_as_decimals,
     to_figures,
@@ -331,6 +331,7 @@ class Chains:
             self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
         rounded = is_plain(sides[-2]) or is_multiple(sides[-2])
         rounded &= signs[-2:] == ["≈", "≈"] and not self._is_open(draft)
+        rounded &= not self._goes_into_numbers(line, links[-1].right)
         if rounded or self._is_never_read(draft):
             del sides[-2]
             signs[-2:] = ["≈"]  # an answer has three figures at once
@@ -341,7 +342,7 @@ class Chains:
             sides.append(self._naming.layout(ratio))
             signs.append("≈")
         self._in_figures_from_here(links, sides, signs)
-        more = self._one_figure_more(line)
+        more = one_figure_more(self._derivation, self._ends, self._naming, self._figures, line)
         if more is not None:
             sides.insert(1, more)
             signs.insert(0, "≈")
@@ -389,17 +390,11 @@ class Chains:
             return not (is_multiple(before) or is_vector(draft.links[0].left))
         return before in draft.worked
 
-    def _one_figure_more(self, line: Line) -> lay.Layout | None:
-        """A value by its figures before it is rounded; None where it was not yet rounded above."""
-        (first, *_) = line.premises if line.move.id == "value" else (None,)
-        above = self._derivation.line(first)
-        end = None if above is None else self._ends.of(above)
-        if above is None or end is None or end.shown or not isinstance(above.relation, Relation):
-            return None
-        if len(above.relation.options) > 1:
-            return None
-        value = above.relation.only[-1].right
-        return multiple_in_figures(value, self._figures.count(value))
+    def _goes_into_numbers(self, line: Line, value: Expression) -> bool:
+        """Whether lines below have the four figures of an answer."""
+        return self._figures.with_calculator and goes_into_numbers(
+            self._derivation, self._ends, line, value
+        )
 
     def _in_figures(
         self, line: Line, links: tuple[Link, ...], trees: list[Expression]
@@ -648,6 +643,11 @@ class Chains:
                 if sign == "≈" and is_vector_of_short_decimals(sides[-1]):
                     continue  # one component alone would be rounded
                 if side != sides[-1] and not (sign == "=" and has_decimals(sides[-1])):
+                    if sign == "≈" and self._goes_into_numbers(line, right):
+                        four = to_figures(right, self._figures.count(right))
+                        if four is not None and four not in (side, sides[-1]):
+                            sides.append(four)
+                            signs.append(sign)
                     sides.append(side)
                     signs.append(sign)
         in_letters = self._figures.in_letters(right) if end is None and not unit else None

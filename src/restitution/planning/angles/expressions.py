@@ -126,7 +126,10 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         # A ratio of an angle that is multiplied by may have to be none that vanishes.
         known = scene.judge.known(letters(asked))
         premises_ = scene.judge.enough(Move("rearrange"), tuple(refs), own_form, known)
-        line = scene.desk.write(Move("rearrange"), premises_ or refs, own_form)
+        # By letters for quantities, the ratio of these is put in.
+        by_letters = premises_ is None and scene.judge.follows(Move("put"), refs, own_form)
+        move = Move("put" if by_letters else "rearrange")
+        line = scene.desk.write(move, premises_ or refs, own_form)
         return line, final
     # What stands first is where the line starts from: of a quotient what is above.
     premises = sorted(dict.fromkeys((*refs, *ranges)), key=lambda ref: isinstance(ref, str))

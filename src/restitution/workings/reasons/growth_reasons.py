@@ -127,6 +127,12 @@ class GrowthReasons:
             if less is not None:
                 yield say("derived.fact", fact=self._naming.relation(less))
                 return
+        if len(reached := self._reached(line, above, name, ends)) == 2:
+            # A claim with two ends takes both.
+            (low, at_low), (high, at_high) = reached if sense > 0 else reached[::-1]
+            between = {"low": low, "first": at_low, "high": high, "last": at_high}
+            yield say("derived.from-to", growth=growth_, **between)
+            return
         yield growth_
         # Of what grows the limit may be another.
         named = not itself or whole not in (above.left, above.right)
@@ -139,22 +145,24 @@ class GrowthReasons:
             low = Link(Letter(name), ">", ZERO)
             yield say("derived.fact", fact=self._naming.relation(Relation(((low,),))))
         elif any(end.line == line.number and end.shown for end in self._derivation.items):
-            reached = [
-                (self._layout(value), self._naming.relation(equality(Letter(name), end)))
-                for value, end in reached_at_ends(
-                    above.right, above.left, line.relation, name, ends
-                )
-            ]
             if len(reached) == 1:
                 ((value, at),) = reached
                 yield say("derived.it-is", value=value, at=at)
                 return
-            if reached:
-                (least, first), (most, last) = reached
-                yield say("derived.it-is-at-both", low=least, first=first, high=most, last=last)
-                return
             limit = limit_at_an_end(above.right, line.relation, name, ends) or (None, None)
             yield from self._tending(above.left, name, limit, named, ())
+
+    def _reached(
+        self, line: Line, above: Link, name: str, ends: Sequence[Link]
+    ) -> list[tuple[lay.Layout, lay.Layout]]:
+        """The bounds of what is shown that are values at ends of a letter, each with that end."""
+        assert isinstance(line.relation, Relation)
+        if not any(end.line == line.number and end.shown for end in self._derivation.items):
+            return []
+        return [
+            (self._layout(value), self._naming.relation(equality(Letter(name), end)))
+            for value, end in reached_at_ends(above.right, above.left, line.relation, name, ends)
+        ]
 
     def _near_zero(
         self, relation: Relation, name: str, ends: Sequence[Link]

@@ -1,0 +1,50 @@
+"""Answers with four figures before their three, where lines below go on with the four."""
+
+from __future__ import annotations
+
+from restitution.explaining.lines.derivation import Derivation, Line, Relation
+from restitution.expression.tree import Expression, letters, walk
+from restitution.render import layout as lay
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.figures import Figures, has_plain_angles
+from restitution.workings.naming.measured import multiple_in_figures
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sums_in_degrees import degrees_of, is_inverse
+
+
+def one_figure_more(
+    derivation: Derivation, ends: Ends, naming: Naming, figures: Figures, line: Line
+) -> lay.Layout | None:
+    """A value by its figures before it is rounded; None where it was not yet rounded above.
+
+    An angle has them only where lines below go on with it.
+    """
+    (first, *_) = line.premises if line.move.id == "value" else (None,)
+    above = derivation.line(first)
+    relation = None if above is None else above.relation
+    if above is None or not isinstance(relation, Relation) or len(relation.options) > 1:
+        return None
+    value = relation.only[-1].right
+    if is_inverse(value) and goes_into_numbers(derivation, ends, line, value):
+        degrees = degrees_of(value) if figures.with_calculator else None
+        return None if degrees is None else naming.layout(degrees)
+    end = ends.of(above)
+    if end is None or end.shown:
+        return None
+    return multiple_in_figures(value, figures.count(value))
+
+
+def goes_into_numbers(derivation: Derivation, ends: Ends, line: Line, value: Expression) -> bool:
+    """Whether lines below have in them the value of an answer that only a calculator knows."""
+    if not has_plain_angles(value) or letters(value) or ends.of(line) is None:
+        return False
+    return any(
+        value in walk(tree)
+        for own in derivation.lines
+        if own.number > line.number
+        if own.shown != "silent" and own.move.id not in ("value", "answer")
+        for tree in own.relation.trees
+    )
+
+
+__all__ = ["goes_into_numbers", "one_figure_more"]
