@@ -67,7 +67,7 @@ def test_a_coefficient_that_is_too_large_is_worked_out() -> None:
     told = printed(solution)
     reason = "e = 3/2 is impossible, as a coefficient of restitution is at most 1."
     shown = f"{reason} So no value of e is possible: what is given cannot occur. A1"
-    assert f"{shown} What follows is implied by what is given all the same, without e." in told
+    assert f"{shown} The other answers follow from what is given, without e." in told
     assert "𝐯_A = (𝐢 + 3𝐣) m s⁻¹" in told
 
 

@@ -95,8 +95,8 @@ SENTENCES: Mapping[str, str] = {
         "{value} is impossible, as a coefficient of restitution is at most 1. So no value of "
         "{letter} is possible: what is given cannot occur."
     ),
-    "note.goes-on": "What follows is implied by what is given all the same, without {letter}.",
-    "note.rests-on": "What follows is implied by what is given all the same.",
+    "note.goes-on": "The other answers follow from what is given, without {letter}.",
+    "note.rests-on": "The other answers follow from what is given.",
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
         "{letter} is possible: what is given cannot occur."
