@@ -129,8 +129,8 @@ class GrowthReasons:
                 return
         if len(reached := self._reached(line, above, name, ends)) == 2:
             # A claim with two ends takes both.
-            (low, at_low), (high, at_high) = reached if sense > 0 else reached[::-1]
-            between = {"low": low, "first": at_low, "high": high, "last": at_high}
+            (least, at_least), (most, at_most) = reached if sense > 0 else reached[::-1]
+            between = {"low": least, "first": at_least, "high": most, "last": at_most}
             yield say("derived.from-to", growth=growth_, **between)
             return
         yield growth_
