@@ -118,8 +118,8 @@ def raise_error_of(text: str) -> None:
     ("fact", "angle"),
     [
         ("impulse = 1/4 m u", "arccos((1 + k)/(4(1 + e)k))"),
-        # The equation for the squares holds for k > 1/e too.
-        ("along(velocity(A), i) = 1/2 speed(A)", "arctan(√3(1 − ek)/(1 + k)), for k < 1/e"),
+        # The equation for the squares holds for ek > 1 too.
+        ("along(velocity(A), i) = 1/2 speed(A)", "arctan(√3(1 − ek)/(1 + k)), for ek < 1"),
     ],
 )
 def test_an_angle_is_that_of_the_plainest_of_its_ratios(fact: str, angle: str) -> None:

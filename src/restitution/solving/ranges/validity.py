@@ -44,6 +44,7 @@ from restitution.solving.equations.solution import Answer
 from restitution.solving.ranges.cases import KINDS
 from restitution.solving.ranges.images import Image
 from restitution.solving.ranges.regions import Region
+from restitution.solving.ranges.strictness import strict
 from restitution.solving.story.admission import Demand, demands_for
 from restitution.solving.story.conditions import Condition
 
@@ -631,6 +632,7 @@ def _chains(name: str, values: sp.Set) -> Iterator[str]:
 def _simplified(base: Oracle, inequalities: Sequence[Relation]) -> list[Relation]:
     """Inequalities without factors whose sign is known, and without those that follow."""
     own = list(dict.fromkeys(filter(None, (_simpler(base, other) for other in inequalities))))
+    own = strict(own)
     for inequality in list(own):
         others = [other for other in own if other != inequality]
         if _follows(base, inequality, others):
