@@ -283,8 +283,8 @@ def test_marks_follow_through_at_a_second_impact() -> None:
         "wall V: along i\nwall W: along j\nsphere P: velocity 4i - 2j\n"
         "P hits V: e = 1/2\nP hits W: e = 1/3\nfind velocity(P), velocity(P, 1)"
     )
-    # Both components at each wall, an answer, and another from the same.
-    assert marks == ["B1", "B1", "B1", "B1", "B1", "B1ft"]
+    # Both components at each wall, and each velocity below its own.
+    assert marks == ["B1", "B1", "B1ft", "B1", "B1", "B1"]
     marks = told_marks(
         "sphere A, B, C: mass m\nsphere A: velocity u i\nsphere B, C: at rest\n"
         "A hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\nfind velocity(C)"
