@@ -425,3 +425,14 @@ def test_the_unit_vector_of_a_side_that_is_taken_is_said_once() -> None:
         "given angle(i, W) = 30°\nfind velocity(P)"
     )
     assert " ".join(text.split()).lower().count("unit vector perpendicular to w") == 1
+
+
+def test_a_right_angle_between_vectors_that_stand_is_by_these() -> None:
+    text = " ".join(
+        printed(
+            "wall W: along i - j\nsphere P: mass 2, velocity 6i + 2j\nP hits W: e = 1/4\n"
+            "part a\nfind velocity(P)\npart b\nfind deflection(P)"
+        ).split()
+    )
+    assert "Scalar product, with 𝐯_P from part (a): 𝐮_P · 𝐯_P = 6 − 2 × 3 = 0" in text
+    assert "angle of deflection of P = 90°" in text

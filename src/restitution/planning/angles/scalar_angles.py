@@ -34,7 +34,7 @@ from restitution.planning.closing.squared_ratios import (
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import letter_of
-from restitution.planning.formulas.standing_vectors import stand_as_vectors
+from restitution.planning.formulas.standing_vectors import stand_as_vectors, stand_at_right_angles
 from restitution.planning.formulas.turns import Moving, impact_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.writing.desk import Source, chain, together
@@ -224,8 +224,9 @@ def _terms(
     """The scalar product of two velocities, its terms, what it is worth, and what it rests on."""
     components: list[list[Any]] = []
     impact = impact_of(scene, *sorted(pair, key=lambda state: state[1]))
-    if impact is not None and scene.frame(impact).is_slanted and stand_as_vectors(scene, pair):
-        impact = None
+    if impact is not None and scene.frame(impact).is_slanted:
+        standing = stand_as_vectors(scene, pair) or stand_at_right_angles(scene, pair)
+        impact = None if standing else impact
     if impact is not None:
         frame = scene.frame(impact)
         sources = [

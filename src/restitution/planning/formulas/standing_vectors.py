@@ -32,6 +32,14 @@ def stand_as_vectors(scene: Scene, pair: Iterable[Moving]) -> bool:
     return bool(dot) and bool(tidy(dot**2 / squares).is_Rational)
 
 
+def stand_at_right_angles(scene: Scene, pair: Iterable[Moving]) -> bool:
+    """Whether two velocities stand as slanting vectors at right angles."""
+    a, b = (_standing(scene, *state) for state in pair)
+    if a is None or b is None or not all((*a, *b)):
+        return False
+    return bool(tidy(expanded(a.dot(b))) == 0)
+
+
 def _standing(scene: Scene, body: str, stage: int) -> Vector | None:
     """A velocity that is a vector of the data, or of a line; None of another."""
     last = scene.last_event(body, stage)
@@ -93,4 +101,4 @@ def _powers(vector: Vector) -> set[sp.Pow]:
     return {power for part in parts for power in part.atoms(sp.Pow)}
 
 
-__all__ = ["change_as_vectors", "stand_as_vectors"]
+__all__ = ["change_as_vectors", "stand_as_vectors", "stand_at_right_angles"]
