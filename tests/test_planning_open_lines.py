@@ -39,7 +39,7 @@ given speed(A) = u/2, direction(A) = 30°
 find e
 """,
         (
-            "the line of centres is parallel to (4 − √3)𝐢 − 𝐣",
+            "= (u/4)((4 − √3)𝐢 − 𝐣)",
             "((4 − √3)u/4 − √3 u/4)(4 − √3) − (−u/4 − u/4) = eu(4 − √3)",
             "= 3(5 − 2√3)/13",
         ),

@@ -34,7 +34,7 @@ def test_the_line_of_centres_is_between_the_places_at_the_impact() -> None:
     text = printed(problem, derivation)
     assert "A and B touch when their centres are 10 m apart:" in text
     assert "t = 4 s, as A and B are approaching then" in text
-    assert "the line of centres is parallel to 4𝐢 + 3𝐣" in text
+    assert "= 8𝐢 + 6𝐣 = 2(4𝐢 + 3𝐣)" in text
     assert "position of B at the impact" not in text  # who rests stays where it is
 
 

@@ -167,7 +167,7 @@ def test_an_impulse_after_a_velocity_is_a_change_of_momentum() -> None:
     )
     solution, _ = planned(text)
     words = to_text(explain(solution), 200)
-    assert "impulse on P = 2((⅗𝐢 + (29/5)𝐣) − (7𝐢 + 𝐣))" in words
+    assert "impulse on P = 2((0.6𝐢 + 5.8𝐣) − (7𝐢 + 𝐣))" in words
 
 
 def test_an_impulse_along_an_axis_rests_on_both_components() -> None:

@@ -379,7 +379,9 @@ class _Gathering:
 
     def _still_holds(self, item: str, event: int) -> bool:
         """Whether an item is about bodies that no later impact changes, or about a time."""
-        end = next(end for end in self._derivation.items if end.item == item)
+        end = next((end for end in self._derivation.items if end.item == item), None)
+        if end is None:
+            return True  # it has no answer, and stands where it says why
         subject = end.answer.options[0][0].left
         if isinstance(subject, Letter) and subject.name in self._derivation.meanings:
             subject = self._derivation.meanings[subject.name].quantity

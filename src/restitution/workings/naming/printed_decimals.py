@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Link
-from restitution.explaining.lines.trees import rebuilt, trees_of
+from restitution.explaining.lines.trees import exchanged, rebuilt, trees_of
 from restitution.expression.tree import Binary, Expression, Number, unsigned, walk
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import as_decimal
@@ -29,12 +29,14 @@ class PrintedDecimals:
             for value in _fractions(tree)
         }
         self._printed: set[Fraction] = set()
+        # Vectors that stand as decimals: there a typed fraction is one as well.
+        self._vectors: dict[Expression, Expression] = {}
 
     def put(self, trees: list[Expression]) -> list[Expression]:
         """The sides of a chain with these decimals; what they come to is a decimal too."""
         if not self._printed:
             return trees
-        own = [rebuilt(tree, self._decimal) for tree in trees]
+        own = [rebuilt(exchanged(tree, self._vectors), self._decimal) for tree in trees]
         if own == trees:
             return trees
         if own[-1] == trees[-1]:
@@ -50,6 +52,8 @@ class PrintedDecimals:
         number = self._numbers and isinstance(unsigned(tree), Number)
         if sign == "=" and (number or is_vector_of_short_decimals(side)):
             self._note(link.right)
+        if sign == "=" and not number and is_vector_of_short_decimals(side):
+            self._vectors[link.right] = rebuilt(link.right, as_decimal)
 
     def _note(self, tree: Expression) -> None:
         self._printed |= {abs(value) for value in _fractions(tree)} - self._typed
