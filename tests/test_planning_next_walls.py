@@ -167,9 +167,9 @@ find direction(P)
 @pytest.mark.parametrize(
     ("wall", "path", "lines"),
     [
-        ("20°", "-15°", ("W is at 20° to 𝐢, and P leaves it on the side from which it came,", "≈ 20° + 15.647° ≈ 35.6°")),
+        ("20°", "-15°", ("W is at 20° to 𝐢, and P leaves it", "≈ 20° + 15.647° ≈ 35.6°")),
         ("20°", "155°", ("P moves the opposite way along it.", "= arctan 0.4 − 160° ≈ −138°")),
-        ("20°", "65°", ("W is at 20° to 𝐢, and P leaves it on the side from which it came,", "= 20° − arctan 0.4 ≈ −1.80°")),
+        ("20°", "65°", ("W is at 20° to 𝐢, and P leaves it", "= 20° − arctan 0.4 ≈ −1.80°")),
         ("150°", "-75°", ("P moves the opposite way along it.", "= arctan 0.4 − 30° ≈ −8.20°")),
     ],
 )
