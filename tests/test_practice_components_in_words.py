@@ -278,3 +278,97 @@ find velocity(P)
     wrong = states(marking(slanted, "10 along the wall, 5 into the wall"))
     assert right[0] == ("B1", "earned")
     assert wrong[0] == ("B1", "lost")
+
+
+# By hand: (8, -6) → (8, 4.5) by AB, then (-2, 4.5) by BC.
+SQUARE = """
+wall AB: along i
+wall BC: along j
+sphere P: mass 2, velocity 8i - 6j
+P hits AB: e = 3/4
+P hits BC: e = 1/4
+find velocity(P), speed(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict", "earned"),
+    [
+        ("vector (8, -6) becomes (8, 4.5) then (-2, 4.5)", "true", True),
+        ("8i - 6j becomes 8i + 4.5j, then -2i + 4.5j", "true", True),
+        ("(8, -6) becomes (8, 4.5)", "true", False),
+        ("(8, -6) becomes (8, 1.5) then (-2, 1.5)", "false", False),
+        ("(8, -6) becomes (-2, 4.5) then (8, 4.5)", "false", False),
+    ],
+)
+def test_a_vector_becomes_another_at_every_impact(line: str, verdict: str, earned: bool) -> None:
+    found = marking(SQUARE, line)
+    assert verdicts(found) == [verdict]
+    (answer,) = [p for p in found["marks"]["points"] if p["for"] == "correct answer"][:1]
+    assert (answer["state"] == "earned") == earned
+
+
+# By hand: A has 4u along the line and 3u across it; 12u = 3v + w, w - v = 2u.
+RATIO = """
+sphere A: mass 3m, velocity 5u at alpha
+given tan(alpha) = 3/4
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+find speed(A), speed(B)
+"""
+ALONG = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+
+
+@pytest.mark.parametrize("first", ["A along the line 5u × 3/5 = 3u", "along 5u × 3/5 = 3u"])
+def test_a_component_resolved_by_the_other_ratio_is_gone_on_with(first: str) -> None:
+    found = marking(RATIO, first, "across 4u", "9u = 3v + w", "w - v = 1.5u", **ALONG)
+    assert verdicts(found)[0] == "false"
+    assert found["lines"][0]["mistake"]["id"] == "sine-cosine"
+    assert verdicts(found)[2:] == ["follows", "follows"]
+    right = [first.replace("3/5 = 3u", "4/5 = 4u"), "across 3u", "12u = 3v + w", "w - v = 2u"]
+    assert verdicts(marking(RATIO, *right, **ALONG)) == ["true"] * 4
+
+
+def test_a_component_that_is_no_share_of_the_speed_is_not_named() -> None:
+    (line,) = marking(RATIO, "along 3.2u", **ALONG)["lines"]
+    assert line["verdict"] == "false"
+    assert line["mistake"]["id"] is None
+
+
+def test_a_share_of_a_wrong_number_follows() -> None:
+    """The coefficient times a whole number that is wrong, beside another wrong number."""
+    statement = """
+    sphere A: mass 1, velocity 10i
+    sphere B: mass 2, at rest
+    A hits B: along 4i + 3j, e = 1/2
+    find velocity(A), velocity(B)
+    """
+    letters = {"v": "along(velocity(A), 4i + 3j)", "w": "along(velocity(B), 4i + 3j)"}
+    lines = ("along line of centres 10 × 3/5 = 6", "across 10 × 4/5 = 8", "6 = v + 2w")
+    assert verdicts(marking(statement, *lines, "w - v = 3", **letters))[2:] == ["follows"] * 2
+    assert verdicts(marking(statement, *lines, "w - v = 2", **letters))[3] == "false"
+
+
+# By hand: the corner turns by 45°, and P leaves AB with (4, 2), at 26.6° to AB.
+BENT = """
+wall AB: along i
+wall BC: along 45°
+sphere P: velocity 4i - 6j
+P hits AB: e = 1/3
+P hits BC: e = 1/2
+find speed(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("hits BC at 18.4°", "true"),
+        ("then it strikes BC at an angle of 18.4°", "true"),
+        ("hits BC at 26.6°", "false"),
+        ("hits AB at 56.3°", "true"),
+        ("hits AB at 33.7°", "false"),
+    ],
+)
+def test_the_angle_at_which_a_wall_is_hit(line: str, verdict: str) -> None:
+    assert verdicts(marking(BENT, line)) == [verdict]

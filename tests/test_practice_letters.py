@@ -728,3 +728,28 @@ def test_no_letter_is_of_an_event_behind_the_question() -> None:
     assert first["mistake"]["id"] == "restitution-parallel"
     first, *_ = r.mark(solution, "v = e u cos α", part="b").json()["lines"]
     assert first["verdict"] == "true"
+
+
+_OFF_A_WALL = """
+wall W: along j
+sphere P: mass 4, velocity 3i + 2j
+P hits W: e = 1/3
+find impulse
+"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "verdict"),
+    [
+        (("P: 3 × 1/3 = 1", "I = 3 + 1 = 4"), "false"),
+        (("P: 3 × 1/3 = 1", "I = 4(3 + 1) = 16"), "true"),
+        (("P: 3 × 1/3 = 1", "I = -4 - 12 = -16"), "true"),
+    ],
+)
+def test_numbers_that_end_a_working_are_no_definition_of_the_impulse(
+    lines: tuple[str, ...], verdict: str
+) -> None:
+    solution = r.solve(r.parse(_OFF_A_WALL))
+    found = r.mark(solution, lines).json()["lines"]
+    assert found[-1]["verdict"] == verdict
+    assert found[0]["verdict"] == "true"

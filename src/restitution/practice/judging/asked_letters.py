@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -11,6 +11,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -21,6 +22,7 @@ from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.judging.bench import numbers
 from restitution.practice.judging.certain_letters import asked_by_look, has_no_such_value
 from restitution.practice.judging.doubts import Doubts, names_in
+from restitution.practice.judging.entries import is_numeric
 from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation
@@ -32,6 +34,7 @@ from restitution.practice.script import Script, ScriptLine
 _OF_ANGLES = frozenset({"beta", "phi", "theta"})
 _RIGHT_ANGLE = Degrees(Fraction(90))
 _NEAR_DEGREES = 0.6
+_CONSTANT = 1e-9
 _UNDECIDED = frozenset({"asks", "unread", "remark"})
 
 
@@ -65,10 +68,10 @@ class AskedLetters(Doubts):
         other = replace(best, meanings=(*kept, *meant), unknown=best.unknown - taken.keys())
         judge_too, again = self._judged(self.script, other)
         before, after = (
-            sum(line.verdict in verdicts for line in every)
-            for verdicts, every in ((("false", "asks"), lines), (("false", "asks"), again))
+            sum(line.verdict in ("false", "asks") for line in every) for every in (lines, again)
         )
-        if after > before:
+        # A line that alone defines its letter was true by that.
+        if after > before + len(taken.keys() & self._defined_last(lines).keys()):
             return judge_, lines
         self.meanings = replace(self.meanings, best=other)
         self.taken = frozenset(taken)
@@ -78,12 +81,14 @@ class AskedLetters(Doubts):
         self, line: JudgedLine, lines: Sequence[JudgedLine]
     ) -> Iterator[tuple[str, Expression]]:
         """The letters of a line that are taken for what is asked, each with that."""
-        if line.verdict not in ("false", "asks"):
+        defined = self._defined_last(lines)
+        if line.verdict not in ("false", "asks") and line not in defined.values():
             return
         known = self.meanings.best.at(line.line.number)
         worlds, problem = self.bench.worlds, self.bench.problem
         asked = [staged(x, problem, self.bench.solved.part, n) for x, n in self.bench.wanted.asked]
         true = {name for own in lines if own.verdict == "true" for name in names_in(own.line)}
+        true -= defined.keys()
         for link in line.line.links:
             match link.readings[0].left:
                 case Letter(name) if name not in true and not is_phrase(name):
@@ -91,13 +96,45 @@ class AskedLetters(Doubts):
                 case _:
                     continue
             meant = asked_by_look(name, link.readings[0].right, asked)
-            if meant is None or (meaning is not None and meaning.by != "inferred"):
+            if meant is None:
+                continue
+            if name not in defined and meaning is not None and meaning.by != "inferred":
                 continue
             if _goes_on(link.readings[0].right, line, lines):
                 continue
             candidates = self.bench.names.candidates(worlds[0])
             if has_no_such_value(meant, link, candidates, worlds, line.line.scope):
                 yield name, meant
+
+    def _defined_last(self, lines: Sequence[JudgedLine]) -> Mapping[str, JudgedLine]:
+        """The letter for an impulse that the last line alone defines by numbers, with that line.
+
+        Where a number is asked; an impulse of which another line speaks may be another one.
+        """
+        related = [line for line in lines if line.line.links]
+        if not related or related[-1].verdict != "true":
+            return {}
+        *above, last = related
+        names = names_in(last.line)
+        spoken = any("impulse" in name.split() for line in above for name in names_in(line.line))
+        asked = [tree for tree, _ in self.bench.wanted.asked if kind_of(tree) == "impulse"]
+        if len(names) != 1 or spoken or len(asked) != 1 or not self._is_constant(asked[0]):
+            return {}
+        meanings = self.meanings.best.at(last.line.number)
+        return {
+            name: last
+            for name in names
+            if name in meanings and meanings[name].by == "declared"
+            if is_numeric(meanings[name].quantity)
+            if not any(name in names_in(line.line) for line in above)
+        }
+
+    def _is_constant(self, tree: Expression) -> bool:
+        """Whether a quantity has a number, whatever the letters are."""
+        try:
+            return bool(np.ptp(self.bench.worlds[0].scalar(Apply("abs", tree))) < _CONSTANT)
+        except RestitutionError:
+            return False
 
     # --- the angle that is asked ------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""A component along a wall set equal to one at right angles to it: ``v sin β = u cos α``."""
+"""Components set equal to those at right angles to them: ``v sin β = u cos α``, ``along ½u``."""
 
 from __future__ import annotations
 
@@ -7,14 +7,17 @@ from itertools import permutations
 
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Name,
     Quantity,
+    is_component,
     is_function,
     letters,
+    unsigned,
     walk,
 )
-from restitution.practice.judging.claimed import has_value
+from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -41,6 +44,40 @@ def is_sine_for_cosine(entry: Entry, world: World) -> bool:
         for name in (step.first,)
         for before, after in permutations(sides)
     )
+
+
+def is_speed_in_other_ratio(entry: Entry, world: World) -> bool:
+    """Whether the speed before is resolved in the ratio of the other component: ``along ½u``.
+
+    Of a component before an impact, for which a phrase without a time may stand.
+    """
+    meant = unsigned(meant_by(entry))
+    if not is_component(meant) or entry.claim.sign != "=":
+        return False
+    match meant.arguments:
+        case (Quantity("velocity", body, int(stage)), axis) if stage:
+            before = Quantity("velocity", body, stage - 1)
+        case _:
+            return False
+    typed = entry.claim.right
+    speed = Quantity("speed", body, stage - 1)
+    if not any(has_value(speed, factor, entry, world) for factor in _factors_in(typed)):
+        return False
+    other = "across" if meant.kind == "along" else "along"
+    size = Apply("abs", Quantity(other, (before, axis)))
+    return has_value(size, Apply("abs", typed), entry, world)
+
+
+def _factors_in(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product that has more than one, without those below a line."""
+    match tree:
+        case Binary("*", left, right):
+            for side in (left, right):
+                yield side
+                yield from _factors_in(side)
+        case Binary("/", above, _):
+            yield above
+            yield from _factors_in(above)
 
 
 def _functions_in(tree: Expression) -> Iterator[str]:

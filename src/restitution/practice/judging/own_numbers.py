@@ -80,8 +80,10 @@ class OwnNumbers:
             own = _in_meanings(meant, meanings)
             self._terms[value] = tuple(dict.fromkeys((own, *others)))[:_MEANT], line
         value, meant = _without_root(value, meant)
-        behind = value.right if is_binary(value, "*") else None
-        value, meant = _without_letters(_with_fractions(value), meant)
+        whole = _with_fractions(value)
+        behind = whole.right if is_binary(whole, "*") else None
+        others = tuple(_without_letters(whole, other)[1] for other in others)
+        value, meant = _without_letters(whole, meant)
         size = _size(value)
         if size is None or size in _SMALL:
             return
@@ -130,7 +132,7 @@ class OwnNumbers:
         sums = {size: trees for size in sizes if (trees := self._made_of(size))}
         if sums:
             known = {size: (self._known[size][0], (size,)) for size in own}
-            yield from self._put(claim, dict(islice({**sums, **known}.items(), _MOST)))
+            yield from self._put(claim, dict(islice(({**sums, **known} | sums).items(), _MOST)))
 
     def _with_terms(self, claim: Claim) -> Iterator[Put]:
         """A claim with what its wrong terms with letters stand for."""
@@ -178,10 +180,12 @@ class OwnNumbers:
         """What a number stands for that is the square of a wrong one, or a multiple."""
         for size, (trees, _) in self._known.items():
             if number == size:
-                return None
+                continue
             if _is_near(number, size * size):
                 return tuple(Binary("^", tree, _TWO) for tree in trees), (size,)
-            for factor in self._factors if size.denominator > 1 else ():
+            # Of a whole number only a share that is given is no chance: ¾ × 8 = 6.
+            factors = self._factors if size.denominator > 1 else sorted(self._data)
+            for factor in factors:
                 if _is_near(number, factor * size):
                     return tuple(Binary("*", Number(factor), tree) for tree in trees), (size,)
         return None
@@ -222,7 +226,7 @@ def _without_letters(value: Expression, meant: Expression) -> tuple[Expression, 
 
 
 def _with_fractions(tree: Expression) -> Expression:
-    """A tree with fractions of two numbers as one number each."""
+    """A tree with fractions of two numbers as one number each: u/8 is ⅛ of u."""
     return rebuilt(tree, _as_fraction)
 
 
@@ -230,6 +234,10 @@ def _as_fraction(node: Expression) -> Expression:
     match node:
         case Binary("/", Number(above), Number(below)) if below:
             return Number(above / below)
+        case Binary("/", Letter() as letter, Number(below)) if below:
+            return Binary("*", Number(1 / below), letter)
+        case Binary("/", Binary("*", Number(above), Letter() as letter), Number(below)) if below:
+            return Binary("*", Number(above / below), letter)
     return node
 
 

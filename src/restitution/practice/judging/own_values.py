@@ -476,5 +476,8 @@ def _angle_of_line(entry: Entry) -> tuple[Expression, Expression] | None:
     meant = entry.meanings.get(name)
     if not is_quantity(meant, "angle"):
         return None
-    kinds = {x.kind for x in meant.arguments if isinstance(x, Quantity)}
-    return (meant, value) if "line_of_centres" in kinds and "velocity" not in kinds else None
+    parts = [x for x in meant.arguments if isinstance(x, Quantity)]
+    lined = any(part.kind == "line_of_centres" for part in parts)
+    # A velocity after an impact has its angle by more than by the line.
+    later = any(part.kind == "velocity" and part.stage != 0 for part in parts)
+    return (meant, value) if lined and not later else None

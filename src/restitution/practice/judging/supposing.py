@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -19,6 +20,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.practice.judging.entries import Entry, Meanings
+from restitution.practice.reading.grammar import is_vector
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.student import facts_of, laws_of, student_world
@@ -109,19 +111,32 @@ def _is_consistent(world: World) -> bool:
         return all(np.all(np.abs(equation.residual(world)) < _CLOSE) for equation in equations)
 
 
-def changes_of_sizes(claim: Claim, line: ScriptLine, world: World) -> Iterator[tuple[Claim, Claim]]:
-    """What ``4 becomes 2`` may say: the sizes of a component before and after an impact."""
+def changes_of_sizes(
+    claim: Claim, line: ScriptLine, world: World
+) -> Iterator[tuple[Claim, Claim, Claim]]:
+    """What ``4 becomes 2`` may say: the sizes of a component before and after an impact.
+
+    Or, of vectors, the velocities before and after one: ``(6, -3) becomes (6, 2)``. Behind
+    both is what the line states.
+    """
     if claim.sign != "=" or not _BECOMING.search(line.text):
         return
+    vectors = is_vector(claim.left, frozenset()) and is_vector(claim.right, frozenset())
     for number in world.lines:
         axis = Quantity("line_of_centres", (), number)
         for name in world.start:
+            if vectors:
+                old = Quantity("velocity", (Name(name),), number - 1)
+                stated = Claim(replace(old, stage=number), "=", claim.right)
+                yield Claim(old, "=", claim.left), stated, stated
+                continue
             for kind in COMPONENTS:
                 before, after = (
                     _size(Quantity(kind, (Quantity("velocity", (Name(name),), stage), axis)))
                     for stage in (number - 1, number)
                 )
-                yield Claim(before, "=", _size(claim.left)), Claim(after, "=", _size(claim.right))
+                left, right = _size(claim.left), _size(claim.right)
+                yield Claim(before, "=", left), Claim(after, "=", right), claim
 
 
 def _size(tree: Expression) -> Expression:

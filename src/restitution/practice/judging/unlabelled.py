@@ -26,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.entries import Entry, is_numeric, sources_of
+from restitution.practice.judging.exchanged_components import is_speed_in_other_ratio
 from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.journeys import Journeys
 from restitution.practice.judging.judged_link import JudgedLink
@@ -64,10 +65,16 @@ class Unlabelled(Journeys):
                 return JudgedLink("follows", other, grade, sources, meant=((label.name, tree),))
         return None
 
-    def _explained_otherwise(self, entry: Entry) -> Explained | None:
-        """What explains an energy in words as one at another moment: ``KE before = 0.5 × 100``."""
+    def _explained_otherwise(self, entry: Entry, known: Explained) -> Explained | None:
+        """What explains an energy in words as one at another moment: ``KE before = 0.5 × 100``.
+
+        Or a component as that at right angles to it before the impact: ``along ½u``.
+        """
+        named = bool(known.variants or known.plain)
+        if not named and is_speed_in_other_ratio(entry, self._base):
+            return Explained(plain="sine-cosine")
         left = entry.claim.left
-        if not (isinstance(left, Letter) and is_phrase(left.name)):
+        if not known.is_empty or not (isinstance(left, Letter) and is_phrase(left.name)):
             return None
         own = entry.meanings.get(left.name)
         moments = self._meanings_of(left.name, entry.scope.event)

@@ -363,7 +363,7 @@ class Judge(Unlabelled):
         return JudgedLink("true", held[1], held[0])
 
     def _becoming(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """A component that changes its size: ``4 becomes 2``."""
+        """A component that changes its size, or a vector: ``4 becomes 2``."""
         claim = link.readings[0]
         if next(changes_of_sizes(claim, line, self._base), None) is None:
             return None
@@ -372,10 +372,10 @@ class Judge(Unlabelled):
             ("follows", world) for world in (self.students() if self.wrong else ())
         )
         for verdict, world in chain(true, own):
-            for pair in changes_of_sizes(claim, line, world):
+            for *pair, stated in changes_of_sizes(claim, line, world):
                 first, second = (self.accuracy(claim, world, line, link) for claim in pair)
                 if first is not None and second is not None:
-                    return JudgedLink(verdict, claim, second)
+                    return JudgedLink(verdict, stated, second)
         return None
 
     def _explained_in(self, line: ScriptLine, links: Sequence[JudgedLink], place: int) -> Explained:
@@ -392,7 +392,7 @@ class Judge(Unlabelled):
         if is_loss_of_known(entry, [*self.entries, *beside]):
             return Explained(slip="arithmetic", near=(Use("energy"),))
         explained = self.naming.explained(entry, self)
-        if explained.is_empty and (other := self._explained_otherwise(entry)) is not None:
+        if (other := self._explained_otherwise(entry, explained)) is not None:
             return other
         start = end = place
         while start and _goes_on(links[start - 1], links[start]):

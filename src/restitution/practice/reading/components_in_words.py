@@ -19,6 +19,10 @@ HAS_ALONG = re.compile(
     rf"(?:the\s+)?(line\s+of\s+centres|LOC|it)\s*,?\s*([A-Z])?\s*(?:has\s+)?{_VALUE}",
     re.IGNORECASE,
 )
+OF_A_BODY_ALONG = re.compile(
+    r"(^|[,;]|\b(?:and|so)\b)\s*([A-Z])\s+(?:has\s+)?(along|across|parallel\s+to|perp(?:endicular)?\s+to)"
+    rf"\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC)\s*[:,]?\s*{_VALUE}",
+)
 GOES_BACK = re.compile(
     r"\b([A-Z])\s+(?:goes|moves|comes|travels|bounces|rebounds|flies)\s+(?:straight\s+)?back(?:wards)?"
     r"\s+(?:at|with)\s+(?:an?\s+)?(?:speed\s+(?:of\s+)?)?(?=[\d√(½⅓¼⅔¾a-z])"
@@ -48,6 +52,14 @@ def has_along(match: re.Match[str], problem: Problem) -> str:
     direction = "across" if match[2].lower()[:2] in ("ac", "pe") else "along"
     of = f" of {match[4]}" if match[4] else ""
     return f"{match[1]} component{of} {direction} the line of centres = "
+
+
+def of_a_body_along(match: re.Match[str], problem: Problem) -> str:
+    """The component that a sphere has along or across *the line*, where there is no wall."""
+    if problem.walls or match[2] not in {sphere.name for sphere in problem.spheres}:
+        return match[0]
+    direction = "across" if match[3].lower()[:2] in ("ac", "pe") else "along"
+    return f"{match[1]} component of {match[2]} {direction} the line of centres = "
 
 
 def goes_back(match: re.Match[str], problem: Problem) -> str:

@@ -98,5 +98,5 @@ def names_whole_time(name: str) -> bool:
 
 
 def names_axis(name: str) -> bool:
-    """Whether a phrase names i or j: *the j component*, and so its sense."""
-    return not {"i", "j"}.isdisjoint(name.casefold().split())
+    """Whether a phrase names i or j: *the j component*, and so its sense; the letter I does not."""
+    return is_phrase(name) and not {"i", "j"}.isdisjoint(name.casefold().split())

@@ -49,6 +49,9 @@ _IT_IS = re.compile(
 _BECOMES = re.compile(
     rf"\bthe\s+({_NUMBER})\s+(?:becomes|turns\s+into|changes\s+to|goes\s+to)\s+", re.IGNORECASE
 )
+# The next of the vectors that a velocity becomes: ``(6, -3) becomes (6, 2) then (-3, 2)``.
+_VECTOR = r"\(\s*[-−]?[\d./√]+\s*,\s*[-−]?[\d./√]+\s*\)|[-−]?[\d./√]*i\s*[-+−]\s*[\d./√]*j\b"
+_THEN = re.compile(rf"(\bbecomes\s+(?:{_VECTOR}))\s*,?\s*(?:and\s+)?then\s+(?={_VECTOR})")
 # What an impulse is only parallel to: ``impulse direction is -3i + 4j``.
 _DIRECTION_OF_IMPULSE = re.compile(
     r"\b(?:direction\s+of\s+(?:the\s+)?impulse|impulse\s+(?:is\s+)?(?:in\s+(?:the\s+)?)?direction)"
@@ -210,6 +213,11 @@ def _after(match: re.Match[str], problem: Problem) -> str:
     return f"{units.pop()} component after is " if len(units) == 1 else " "
 
 
+def _becoming(match: re.Match[str], _: Problem) -> str:
+    """What a vector becomes after the next impact."""
+    return f"{match[1]} becomes "
+
+
 def _tree(text: str) -> Expression:
     return Letter(text) if text.isalpha() else Number(Fraction(text))
 
@@ -331,6 +339,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (components_in_words.KE_ALONG, components_in_words.energy_along),
     (components_in_words.STAYS, components_in_words.stays),
     (components_in_words.HAS_ALONG, components_in_words.has_along),
+    (components_in_words.OF_A_BODY_ALONG, components_in_words.of_a_body_along),
     (components_in_words.GOES_BACK, components_in_words.goes_back),
     (amounts.STAGE_BEHIND, amounts.stage_behind),
     (amounts.LISTED_ENERGY, amounts.listed_energy),
@@ -351,6 +360,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
+    (_THEN, _becoming),
     (lines_in_words.LINE_OF_CENTRES, lines_in_words.line_of_centres),
     (_DIRECTION_OF_IMPULSE, lambda _, __: "impulse is parallel to "),
     (_SPEED_SQUARED, lambda match, _: f"{match[1]} ^2"),
@@ -364,6 +374,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (mass_centres.OF_ONE, mass_centres.of_one),
     (mass_centres.OF_CENTRE, mass_centres.of_centre),
     (walls_in_words.TO_A_WALL, walls_in_words.to_a_wall),
+    (walls_in_words.HITS_AT, walls_in_words.hits_at),
     (walls_in_words.SQUARED_THEN, lambda match, _: f"{match[1]} ^2"),
     (walls_in_words.SQUARED_WAY, lambda match, _: f"{match[1]} component ^2"),
     (_AXIS_BECOMES, lambda match, _: f"{match[1]} {match[2]} component after = "),

@@ -25,6 +25,21 @@ SQUARED_WAY = re.compile(
     re.IGNORECASE,
 )
 
+# The angle at which a sphere comes to a wall: ``hits BC at 18.4°``.
+HITS_AT = re.compile(
+    r"(^|[,;]|\b(?:so|and|then|now)\b)\s*(?:(?:it|[A-Z]|the\s+(?:ball|sphere|particle))\s+)?(?:then\s+)?"
+    r"(?:hits|strikes|meets|reaches)\s+(?:the\s+)?(wall|cushion|[A-Z]\w{0,2})\s+at\s+"
+    r"(?:an\s+angle\s+(?:of\s+)?)?(?=[^,;=]*\d\s*(?:°|deg))"
+)
+
+
+def hits_at(match: re.Match[str], problem: Problem) -> str:
+    """The angle to a wall before it is hit."""
+    names = {wall.name for wall in problem.walls}
+    if match[2] in ("wall", "cushion") and len(names) == 1:
+        return f"{match[1]} angle to the wall before = "
+    return f"{match[1]} angle to {match[2]} before = " if match[2] in names else match[0]
+
 
 def to_a_wall(match: re.Match[str], problem: Problem) -> str:
     """The component into a wall before, or away from it after."""
