@@ -353,7 +353,7 @@ A hits W: e = 1/3
 A hits B: along i, e = 1/2
 find tan(deflection(A, 1)), tan(deflection(A, 2))
 """,
-        ("W is parallel to the line of centres, so the two angles are equal:",),
+        ("so the angle between 𝐯_A1 and that line is β too.",),
         (),
     ),
     "a deflection from direction to direction": (
