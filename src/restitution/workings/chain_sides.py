@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Quantity,
     Rounded,
     has_quantity,
+    has_unit_vector,
     is_quantity,
     letters,
     unsigned,
@@ -70,7 +71,8 @@ def is_made_of_figures(tree: Expression) -> bool:
 def is_rounded_below(trees: Sequence[Expression], n: int) -> bool:
     """Whether a side has figures in it, and the next one is a number of degrees alone."""
     rounded = any(isinstance(node, Rounded) for node in walk(trees[n - 1]))
-    return rounded and of_plain_angles(trees[n]) and not has_quantity(trees[n])
+    number = of_plain_angles(trees[n]) and not has_unit_vector(trees[n])
+    return rounded and number and not has_quantity(trees[n])
 
 
 def sign_of(link: Link) -> str:

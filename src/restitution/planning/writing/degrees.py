@@ -117,8 +117,8 @@ def _turn_of_a_vector(scene: Scene, body: str, frame: Frame) -> Expression | Non
     right = scene.facts[f"velocity {body}"].relation.only[-1].right
     own = None if path is None or not isinstance(right, Polar) else in_degrees(path)
     direction = frame.direction("along" if frame.wall is None else "across")
-    if own is None or own % _PLAIN or direction.x == 0:
-        return None
+    if own is None or own % _PLAIN or own % 90 == 0 or direction.x == 0:
+        return None  # along an axis a scalar product is as short
     degrees = sp.deg(sp.atan(tidy(direction.y / direction.x)))
     return Degrees(Fraction(int(degrees))) if degrees.is_Integer and not degrees % _PLAIN else None
 
