@@ -261,7 +261,7 @@ show angle(velocity(P), W) <= alpha
     # tan δ = (1 + e)/(3 − e) is at most 1/√3: √3(1 + e) ≤ 3 − e.
     "terms are collected before a sum with roots divides": (
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
-        ["2/(1 − e) ≤ 2 + √3", "(2 + √3)e ≤ √3, as 1 − e > 0", "e ≤ 2√3 − 3"],
+        ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3√3 − 3, as 3 − e > 0", "e ≤ 2√3 − 3"],
     ),
     "at right angles to who moves along the line there is no component": (
         REST.format(angle="45°", m="2m", e="")
