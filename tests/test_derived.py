@@ -297,7 +297,10 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("either-sign", ["If p = 4:", "If p = −4:", "𝐯_P = (4𝐢 + 2𝐣) m s⁻¹"]),
         ("rejected-root", ["e = ½, as e ≤ 1"]),
         ("half-angle", ["t = √3/3, as α/2 is acute"]),
-        ("brought-to-rest", ["as 3u/(2 − e) − u increases with e and 0 ≤ e ≤ 1 (as required)"]),
+        (
+            "brought-to-rest",
+            ["3u/(2 − e) − u increases with e, from u/2 if e = 0 to 2u if e = 1 (as required)"],
+        ),
         ("greatest-deflection", ["when 1 − 2 tan α = 0, so tan α = ½ and α"]),
         (
             "direction-reversed",

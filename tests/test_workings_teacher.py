@@ -575,7 +575,7 @@ sphere B: mass 4, at rest, radius 1
 A hits B: offset 6/5, e = 1
 find velocity(A), deflection(A)
 """,
-        ["tan δ = (192/25)/(−6/25)"],
+        ["tan δ = 7.68/(−0.24)"],
     ),
     "a bound of cos 2α names the formula": (
         WALL.format(e=": e = 2/3")
