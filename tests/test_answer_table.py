@@ -118,10 +118,10 @@ u = sp.Symbol("u")
 @pytest.mark.parametrize(
     ("x", "y", "shown"),
     [
-        (u / 4, sp.sqrt(2) * u / 3, "(u/4)𝐢 + (√2 u/3)𝐣 = 0.25u𝐢 + 0.471u𝐣"),
+        (u / 4, sp.sqrt(2) * u / 3, "(u/4)𝐢 + (√2 u/3)𝐣 = 0.250u𝐢 + 0.471u𝐣"),
         (-u / 2, 3 * u / 7, "−(u/2)𝐢 + (3u/7)𝐣"),
         (2 * u, 3 * u / 7, "2u𝐢 + (3u/7)𝐣"),
-        (sp.Rational(1, 2), sp.sqrt(2), "½𝐢 + √2 𝐣 = 0.5𝐢 + 1.41𝐣"),
+        (sp.Rational(1, 2), sp.sqrt(2), "½𝐢 + √2 𝐣 = 0.500𝐢 + 1.41𝐣"),
         (sp.Rational(1, 2), sp.Rational(3, 4), "½𝐢 + ¾𝐣"),
     ],
 )
@@ -130,4 +130,4 @@ def test_components_are_alike(x, y, shown) -> None:
 
 
 def test_coordinates_are_alike() -> None:
-    assert to_text(display_point(u / 4, sp.sqrt(2) * u)) == "(u/4, √2 u) = (0.25u, 1.41u)"
+    assert to_text(display_point(u / 4, sp.sqrt(2) * u)) == "(u/4, √2 u) = (0.250u, 1.41u)"

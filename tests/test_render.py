@@ -265,7 +265,7 @@ ANSWERS = [
     (display(1 - e**2, percentage=True), "100(1 − e²)%"),
     (display_named(e, Q(3, 7)), "e = 3/7 = 0.429"),
     (display_vector(3, 2), "3𝐢 + 2𝐣"),
-    (display_vector(sqrt(2), Q(1, 2)), "√2 𝐢 + ½𝐣 = 1.41𝐢 + 0.5𝐣"),
+    (display_vector(sqrt(2), Q(1, 2)), "√2 𝐢 + ½𝐣 = 1.41𝐢 + 0.500𝐣"),
     (display_vector(u * C, e * u), "u cos α 𝐢 + eu𝐣"),
     (display_point(sqrt(2) * a, a), "(√2 a, a) = (1.41a, a)"),
     (display_set(Interval.Lopen(Q(1, 3), 1), e), "⅓ < e ≤ 1"),

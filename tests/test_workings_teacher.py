@@ -530,7 +530,7 @@ sphere P: at (2, 0), velocity -3i + j
 P hits L: e = 1/3
 find position(P, at 4)
 """,
-        ["= (10/3)𝐢 + 4𝐣 ≈ (3.33𝐢 + 4𝐣) m", "and P has not reached R by then, as 10/3 < 6"],
+        ["= (10/3)𝐢 + 4𝐣 ≈ (3.33𝐢 + 4.00𝐣) m", "and P has not reached R by then, as 10/3 < 6"],
     ),
     "an inequality is divided by what is positive": (
         """

@@ -148,11 +148,11 @@ def test_the_angle_between_slanting_walls_is_acute() -> None:
     assert "acute" not in printed_with(CORNER.format(way="j"), ("β = 90°",))
 
 
-def test_an_exact_component_is_not_rounded() -> None:
+def test_a_component_beside_one_that_is_rounded_has_three_figures() -> None:
     printed_with(
         "sphere A: mass 2, velocity 4i + j\nsphere B: mass 1, velocity -i\n"
         "A hits B: along i, e = 3/5\nfind velocity(A)\n",
-        ("𝐯_A = (4/3)𝐢 + 𝐣 ≈ (1.33𝐢 + 𝐣) m s⁻¹",),
+        ("𝐯_A = (4/3)𝐢 + 𝐣 ≈ (1.33𝐢 + 1.00𝐣) m s⁻¹",),
     )
 
 

@@ -203,33 +203,19 @@ def _display_pair(x: Any, y: Any, build: Any, decimals: bool = False) -> Layout:
     if not ready or all(layout is None for layout in rounded):
         return whole
     long = any(_is_long(value) for value in (first, second))
-    parts = [_as_it_is(value) or _in_figures(value) for value in (first, second)]
+    parts = [
+        layout if layout is not None else _with_three_figures(value)
+        for layout, value in zip(rounded, (first, second), strict=True)
+    ]
     return build(*parts) if long else equation(whole, build(*parts))
 
 
-def _as_it_is(value: Expr) -> Layout | None:
-    """A component that is short as a decimal; None of one that has to be rounded.
-
-    It stays as it is beside one that is rounded: 1 and 0.5, which 1.00 and 0.500 seem to round.
-    """
+def _with_three_figures(value: Expr) -> Layout:
+    """A component beside one that is rounded: it has three figures too, unless it is 0 or *a*."""
     number, rest = _number_and_letters(value)
-    if number is None or value == 0 or abs(number) == 1:
+    if number is None or value == 0 or (abs(number) == 1 and rest != 1):
         return from_sympy(value)
-    if not isinstance(number, Rational) or not _is_short(number):
-        return None
-    size = plain_number(Ratio(abs(number.p), number.q))
-    return _times_letters(negative(size) if number < 0 else size, rest)
-
-
-def _in_figures(value: Expr) -> Layout:
-    number, rest = _number_and_letters(value)
     return _times_letters(decimal_number(number), rest)
-
-
-def _is_short(number: Rational) -> bool:
-    """Whether a number is whole, or a decimal of at most three places and three figures."""
-    digits = str(abs(1000 * number)).strip("0")
-    return bool(number.q == 1 or (1000 % number.q == 0 and len(digits) <= _ROUNDED))
 
 
 def _ends(values: Any) -> list[Expr]:
