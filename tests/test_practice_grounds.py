@@ -329,7 +329,7 @@ find sin(alpha)^2
 def test_a_component_that_stays_is_seen_in_a_remark() -> None:
     seen, unseen = (marked(OBLIQUE, text, part="a") for text in ("perp: A 3, B 4", "A 3, B 4"))
     states = [
-        next(each["state"] for each in one["marks"]["points"] if each["kind"] == "B1")
+        next(e["state"] for e in one["marks"]["points"] if "does not change" in e["for"])
         for one in (seen, unseen)
     ]
     assert states == ["earned", "lost"]
