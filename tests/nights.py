@@ -69,10 +69,10 @@ which no test waits for the end of: ``--long`` does not see them.
 """
 
 LONG_TESTS = Path(__file__).parent / "long_tests.txt"
-"""Tests that took more than a third of a second of a processor; ``--long FILE`` writes them."""
+"""Tests that took more than a quarter of a second of a processor; ``--long FILE`` writes them."""
 
 LONG = frozenset(LONG_TESTS.read_text(encoding="utf-8").splitlines())
-LONG_SECONDS = 0.35
+LONG_SECONDS = 0.25
 LONG_ONE_IN = 25
 """Of the tests that take long, one in so many stands in the normal run."""
 
