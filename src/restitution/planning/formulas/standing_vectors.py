@@ -23,10 +23,10 @@ def stand_as_vectors(scene: Scene, pair: Iterable[Moving]) -> bool:
     They are given with **i** and **j**, or a line has put them together. Of one along **i** or
     **j** an angle is read off by a tangent.
     """
-    vectors = [_standing(scene, *state) for state in pair]
-    a, b = vectors
-    if a is None or b is None or not all((*a, *b)):
+    both = _slanting(scene, pair)
+    if both is None:
         return False
+    a, b = both
     dot = tidy(expanded(a.dot(b)))
     squares = tidy(expanded(a.dot(a))) * tidy(expanded(b.dot(b)))
     return bool(dot) and bool(tidy(dot**2 / squares).is_Rational)
@@ -34,10 +34,14 @@ def stand_as_vectors(scene: Scene, pair: Iterable[Moving]) -> bool:
 
 def stand_at_right_angles(scene: Scene, pair: Iterable[Moving]) -> bool:
     """Whether two velocities stand as slanting vectors at right angles."""
+    both = _slanting(scene, pair)
+    return both is not None and bool(tidy(expanded(both[0].dot(both[1]))) == 0)
+
+
+def _slanting(scene: Scene, pair: Iterable[Moving]) -> tuple[Vector, Vector] | None:
+    """Two velocities that stand as vectors, neither of them along **i** or **j**."""
     a, b = (_standing(scene, *state) for state in pair)
-    if a is None or b is None or not all((*a, *b)):
-        return False
-    return bool(tidy(expanded(a.dot(b))) == 0)
+    return None if a is None or b is None or not all((*a, *b)) else (a, b)
 
 
 def _standing(scene: Scene, body: str, stage: int) -> Vector | None:

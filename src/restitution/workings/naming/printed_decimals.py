@@ -50,10 +50,11 @@ class PrintedDecimals:
             case lay.Phrase((lay.Brackets(inside) | inside, lay.Words()), _):
                 side = inside
         number = self._numbers and isinstance(unsigned(tree), Number)
-        if sign == "=" and (number or is_vector_of_short_decimals(side)):
+        vector = not number and is_vector_of_short_decimals(side)
+        if sign == "=" and (number or vector):
             self._note(link.right)
-        if sign == "=" and not number and is_vector_of_short_decimals(side):
-            self._vectors[link.right] = rebuilt(link.right, as_decimal)
+            if vector:
+                self._vectors[link.right] = rebuilt(link.right, as_decimal)
 
     def _note(self, tree: Expression) -> None:
         self._printed |= {abs(value) for value in _fractions(tree)} - self._typed
