@@ -17,7 +17,6 @@ from restitution.explaining.lines.trees import exchanged, of_relation, rebuilt, 
 from restitution.expression.tree import (
     Binary,
     Expression,
-    Negate,
     Number,
     Unit,
     has_quantity,
@@ -60,17 +59,13 @@ def _put_in(derivation: Derivation) -> Iterator[Expression]:
 
 
 def _components(tree: Expression) -> Iterator[Expression]:
-    """A side, or the components of a vector."""
-    match tree:
-        case Negate(operand):
-            yield from _components(operand)
-        case Binary("+" | "-", left, right):
-            yield from _components(left)
-            yield from _components(right)
-        case Binary("*", size, Unit()):
-            yield size
-        case _:
-            yield tree
+    """The terms of a side without their signs; of a component of a vector, its size."""
+    for term in map(unsigned, outer_terms(tree)):
+        match term:
+            case Binary("*", size, Unit()):
+                yield size
+            case _:
+                yield term
 
 
 def _apart(tree: Expression) -> Expression | None:
