@@ -105,8 +105,18 @@ def opened(button: str) -> View:
     """Solve with what a button opens."""
 
     def view(page: Page, address: str) -> None:
-        at(page, address, "")
+        at(page, address, examples.statement("corner"))
         page.get_by_role("button", name=button).click()
+
+    return view
+
+
+def at_path(path: str) -> View:
+    """A page as it opens."""
+
+    def view(page: Page, address: str) -> None:
+        page.goto(f"{address}/{path}")
+        page.wait_for_load_state("networkidle")
 
     return view
 
@@ -124,7 +134,7 @@ def in_the_lab(scene: str, impacts: int = 0) -> View:
 
 
 VIEWS: dict[str, View] = {
-    "solve": lambda page, address: at(page, address, ""),
+    "start": lambda page, address: at(page, address, ""),
     "vectors": of_example("two-spheres-with-vectors"),
     "corner": of_example("corner"),
     "rejected": of_example("rejected-root"),
@@ -132,6 +142,9 @@ VIEWS: dict[str, View] = {
     "mistakes": mistaken,
     "examples": opened("Examples"),
     "form": opened("Fill in a form"),
+    "practise": at_path("practise"),
+    "experiment": at_path("experiment"),
+    "guides": at_path("guides"),
     "lab": in_the_lab("snooker"),
     "lab-impact": in_the_lab("snooker", 1),
     "lab-corner": in_the_lab("corner", 1),
