@@ -306,8 +306,13 @@ def _at_sight(work: Work, line: Line) -> bool:
 
 
 def _an_angle_to_a_line(work: Work, line: Line) -> bool:
-    """It is seen how a velocity lies to a line, along which it is or perpendicular to it."""
+    """It is seen how a velocity lies to a line, along which it is or perpendicular to it.
+
+    Or how it lies to a velocity of which it is a multiple.
+    """
     match subject_of(line):
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+            return line.move.record == "parallel"
         case Quantity("angle", (Quantity("velocity"), Unit() | Name())):
             return True
         case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres"))):

@@ -36,6 +36,7 @@ from restitution.expression.tree import (
     Pi,
     Polar,
     Quantity,
+    is_function,
     walk,
 )
 from restitution.oracle.roles import REAL
@@ -143,8 +144,15 @@ class Angles(Roots):
         return Turn(((tree, Fraction(1)),))
 
     def _measure(self, tree: Expression) -> Quotient:
-        """An angle as a number: a generator for each part, one for the degree."""
+        """An angle as a number: a generator for each part, one for the degree.
+
+        The inverse tangent of a number above 1 is what that of its reciprocal leaves of 90°.
+        """
         turn = self.turn(tree)
+        for atom, count in turn.terms:
+            if is_function(atom, "arctan") and (_rational(atom.argument) or 0) > 1:
+                other = Apply("arctan", Binary("/", Number(Fraction(1)), atom.argument))
+                turn += Turn(((atom, -count), (other, -count)), 90 * count)
         total = CONSTANT(turn.degrees) * self.generator(("degree",)) if turn.degrees else None
         for atom, count in turn.terms:
             term = CONSTANT(count) * self.generator(("angle", self._atom(atom)))

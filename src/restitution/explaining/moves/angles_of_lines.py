@@ -7,8 +7,10 @@ from fractions import Fraction
 
 import sympy as sp
 
+from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.lines.derivation import Link
 from restitution.explaining.lines.quotients import Plane, Quotient
+from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.moves.angles import in_radians
 from restitution.explaining.moves.laws import stands
 from restitution.explaining.steps.step import Step
@@ -23,6 +25,7 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.oracle import Oracle
 from restitution.oracle import Relation as Claim
@@ -52,6 +55,23 @@ def is_angle_of_lines(step: Step, line: Link) -> bool:
             for sign in ("+", "-"):
                 if stands(step, Link(direction, "=", Binary(sign, turn, right)), event):
                     return True
+    return False
+
+
+def is_angle_of_a_multiple(step: Step, line: Link) -> bool:
+    """Whether two vectors are in one direction, or opposite, as one is a multiple of the other."""
+    match line:
+        case Link(Quantity("angle", (one, other)), "=", Degrees(size)) if size in (0, 180):
+            pass
+        case _:
+            return False
+    for link in step.links:
+        if link.sign != "=" or link.left not in (one, other):
+            continue
+        vector = other if link.left == one else one
+        factor = step.world.value(exchanged(link.right, {vector: Unit("i")}))
+        if vector in set(walk(link.right)) and isinstance(factor, Plane) and factor.y.vanishes:
+            return oriented(step, factor.x) == (1 if size == 0 else -1)
     return False
 
 

@@ -12,7 +12,11 @@ from restitution.explaining.definitions.ties import has_product, past_a_right_an
 from restitution.explaining.definitions.turnings import is_given_angle
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
-from restitution.explaining.moves.angles_of_lines import is_angle_of_lines, is_tangent_of_a_line
+from restitution.explaining.moves.angles_of_lines import (
+    is_angle_of_a_multiple,
+    is_angle_of_lines,
+    is_tangent_of_a_line,
+)
 from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
 from restitution.explaining.steps.step import Step, alike
@@ -52,7 +56,9 @@ def is_definition(step: Step, line: Link) -> bool:
     past = past_a_right_angle(line) if step.move.record == "perpendicular" else None
     if past is not None and has_product(step, *past):
         return True
-    if step.move.record == "parallel" and is_tangent_of_a_line(step, line):
+    if step.move.record == "parallel" and (
+        is_tangent_of_a_line(step, line) or is_angle_of_a_multiple(step, line)
+    ):
         return True
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return is_tie(step, line)

@@ -1,18 +1,23 @@
-"""Angles that are seen: to a line along which a sphere moves, or perpendicular to it."""
+"""Angles that are seen: to a line along which a sphere moves, or perpendicular to it.
+
+Of two vectors, one of which is a multiple of the other, too.
+"""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
-from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Degrees, Name, Quantity, Unit
+from restitution.explaining.lines.derivation import Move, Relation
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import Degrees, Name, Quantity, Unit, walk
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.angle_formulas import components_to_a_line
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.desk import NotPlannedError, chain
-from restitution.planning.writing.premises import nonzero
+from restitution.planning.writing.premises import nonzero, sign_known
 from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
 
 
 def angle_at_sight(scene: Scene, asked: Quantity) -> int | None:
@@ -53,3 +58,36 @@ def angle_at_sight(scene: Scene, asked: Quantity) -> int | None:
     pool = (*zero.whole, *other.whole, *walls, *axes, *nonzero(scene, other.value))
     premises = scene.judge.needed(move, pool, relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def angle_of_a_multiple(scene: Scene, asked: Quantity) -> int | None:
+    """The line of the angle between two vectors, where a line has one as a multiple of the other.
+
+    None where there is no such line, or the factor may be zero or have either sign.
+    """
+    match asked:
+        case Quantity("angle", (Quantity("velocity") as one, Quantity("velocity") as other)):
+            pass
+        case _:
+            return None
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation((links,)) if scene.desk.holds(line.number) and links[0].sign == "=":
+                vector = {one: other, other: one}.get(links[0].left)
+            case _:
+                continue
+        if vector is None or vector not in set(walk(links[-1].right)):
+            continue
+        along = scene.value(exchanged(links[-1].right, {vector: Unit("i")}))
+        if not isinstance(along, Vector) or along.y != 0:
+            continue
+        sign = scene.model.proved_sign(scene.model.in_data(along.x))
+        if not sign:
+            return None
+        bodies = tuple(sorted({body_and_stage(scene, velocity)[0] for velocity in (one, other)}))
+        stage = max(body_and_stage(scene, velocity)[1] for velocity in (one, other))
+        move = Move("define", "parallel", stage or None, bodies)
+        relation = chain(asked, (Degrees(Fraction(0 if sign > 0 else 180)), None))
+        premises = scene.judge.needed(move, (line.number, *sign_known(scene, along.x)), relation)
+        return None if premises is None else scene.desk.write(move, premises, relation)
+    return None

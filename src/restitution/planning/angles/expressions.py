@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import plain_angle, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Meaning, Move, Ref, numbers_in
 from restitution.explaining.lines.trees import exchanged
@@ -250,6 +250,10 @@ def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
     if short is not None:
         shorter = chain(asked, (short, None))
         line = scene.judge.write((Move("rearrange"),), (line,), shorter) or line
+    plain = plain_angle(sp.sympify(scene.scalar(right), strict=True))
+    if plain is not None:
+        degrees = chain(asked, (tree_of(plain, angle=True), None))
+        line = scene.judge.write((Move("rearrange"),), (line,), degrees) or line
     line, answer = write_decimal(scene, line)
     return line, answer.only[0].right
 

@@ -89,6 +89,9 @@ def write_sum(scene: Scene, asked: Quantity, angle_line: Callable[[Scene, Quanti
         tree = tree_of(value, angle=True, as_it_is=True)
     move, pool = Move("define", "sum", event, (body,)), together(refs)
     relation = chain(asked, (right, None), (tree, "rearrange"))
+    if not scene.judge.follows(move, pool, relation):
+        tree = right  # an inverse ratio by another one
+        relation = chain(asked, (right, None))
     named = not any(isinstance(node, Apply) for name in names for node in walk(name))
     if named and total(names) != right:
         by_names = chain(asked, (total(names), None), (right, "put"), (tree, "rearrange"))

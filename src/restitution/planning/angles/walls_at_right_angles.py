@@ -23,7 +23,6 @@ from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.formulas.next_walls import angle_to_a_wall, standing_angle, turn_of_wall
 from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
-from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import Scene
 
 
@@ -44,8 +43,6 @@ def complement_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Sour
     named, known = letter_known(scene, first), standing_angle(scene, first)
     if abs(here.value - there.value) != RIGHT_ANGLE.value or named is None or known is None:
         return None
-    if sp.sympify(known.value, strict=True).free_symbols:
-        return None
     mark = scene.desk.mark()
     letter, value = Letter(named[0]), tidy_angle(sp.pi / 2 - known.value)
     asked = Quantity("angle", (velocity, Name(wall)))
@@ -59,8 +56,9 @@ def complement_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Sour
     if refs is None:
         return None
     first_line = scene.desk.write(move, refs, relation, shown="inline")
-    right = Binary("-", RIGHT_ANGLE, tree_of(known.value, angle=True, as_it_is=True))
     lines = numbers_in(known.refs)
+    stands = next(scene.desk.last_link(n) for n in lines if scene.desk.line(n).move.id != "let")
+    right = Binary("-", RIGHT_ANGLE, stands.right)
     put = scene.judge.needed(Move("put"), (first_line, *lines), chain(asked, (right, None)))
     if put is None:
         scene.desk.back(mark)

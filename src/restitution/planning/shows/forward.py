@@ -26,7 +26,7 @@ from restitution.expression.tree import (
     is_quantity,
     letters,
 )
-from restitution.planning.angles.expressions import write_expression
+from restitution.planning.angles.expressions import is_angle_sum, write_expression
 from restitution.planning.angles.turning import angle_line, is_angle
 from restitution.planning.formulas.next_walls import speed_kept
 from restitution.planning.formulas.velocity_formulas import frame_after
@@ -83,7 +83,7 @@ def write_show(
         _of_subject(scene, solver, item, now, name)
         return
     line, relation = (
-        _direction(scene, solver, item, now)
+        _in_degrees(scene, solver, item, now)
         or _speed_kept(scene, item, now)
         or _written(scene, solver, item, now)
     )
@@ -107,21 +107,24 @@ def _forget_turned(scene: Scene, relation: Relation) -> None:
             scene.desk.forget_value(letter, source)
 
 
-def _direction(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
-    """The line of a direction that is to be shown, as a number of degrees; None of all else."""
+def _in_degrees(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
+    """The line of a direction, or a sum of angles, that is to be shown as a number of degrees."""
     match item.relation:
+        case Compare((Binary() as shown, Degrees()), ("=",), None) if is_angle_sum(shown):
+            (link,) = links_of(scene.problem, item.relation, now)
         case Compare((Quantity("direction", (Name(),)), Degrees()), ("=",), None):
             (link,) = links_of(scene.problem, item.relation, now)
         case _:
             return None
     standing = solver.mark()
     try:
-        determine(scene, solver, link.left)
+        for quantity in outermost_quantities(link.left):
+            determine(scene, solver, quantity)
         line, _ = write_expression(scene, link.left)
     except NotPlannedError:
         solver.back(standing)
         return None
-    if scene.desk.relation(line) != Relation(((link,),)):
+    if scene.desk.last_link(line) != link:
         solver.back(standing)
         return None
     return line, Relation(((link,),))

@@ -180,6 +180,7 @@ class Leads(Titles):
                 or self._none_in(line)
                 or self._direction_again(line)
                 or self._since_nothing(line)
+                or self._along_a_multiple(line)
                 or say("so"),
             )
         if line.move.record == "speed" and self._by_a_multiple(line):

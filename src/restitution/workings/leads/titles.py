@@ -22,6 +22,7 @@ from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import is_share_of_energy
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Expression,
@@ -109,7 +110,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         )
 
     def _by_a_multiple(self, line: Line) -> bool:
-        """Whether a speed is read off a velocity that is a multiple of another."""
+        """Whether a speed or an angle is read off a velocity that is a multiple of another."""
         above = [own.relation for own in map(self._cited, line.premises) if own is not None]
         return any(
             is_quantity(node, "velocity")
@@ -118,6 +119,17 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             for links in own.options
             for node in walk(links[-1].right)
         )
+
+    def _along_a_multiple(self, line: Line) -> Sentence | None:
+        """That a velocity is in the direction of another, or opposite: a multiple of that."""
+        match line.relation:
+            case Relation(((Link(Quantity("angle", (one, other)), "=", size),),)) if (
+                self._by_a_multiple(line)
+            ):
+                back = size == STRAIGHT_ANGLE
+                name: SentenceId = "between.negative-multiples" if back else "between.multiples"
+                return say(name, left=self._naming.layout(one), right=self._naming.layout(other))
+        return None
 
     def _about_directions(self, line: Line) -> Sentence | None:
         """How an angle is made, between what it is, or along which line a body moves.
@@ -190,6 +202,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             or read_off_lines(self._derivation, line)
             or self._seen(line)
             or self._since_nothing(line)
+            or self._along_a_multiple(line)
         ):
             return True
         return self._direction_again(line) is not None or self._about_directions(line) is not None

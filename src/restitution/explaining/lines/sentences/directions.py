@@ -142,6 +142,8 @@ SENTENCES: Mapping[str, str] = {
         "{bodies:and} move to the same side of the line of centres, so the angle between their "
         "velocities is the difference of those that they make with {axis}:"
     ),
+    "between.multiples": "{left} is in the direction of {right}:",
+    "between.negative-multiples": "{left} is opposite to {right}:",
     "between.opposite-sides": (
         "{bodies:and} move to opposite sides of the line of centres, the same way along it:"
     ),
