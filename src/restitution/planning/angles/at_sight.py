@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Move, Relation
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.tree import Degrees, Name, Quantity, Unit, walk
+from restitution.expression.tree import Degrees, Expression, Name, Quantity, Unit, walk
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.angle_formulas import components_to_a_line
 from restitution.planning.formulas.definitions import write_formula
@@ -70,10 +70,11 @@ def angle_of_a_multiple(scene: Scene, asked: Quantity) -> int | None:
             pass
         case _:
             return None
+    others: dict[Expression, Quantity] = {one: other, other: one}
     for line in reversed(scene.desk.lines):
         match line.relation:
             case Relation((links,)) if scene.desk.holds(line.number) and links[0].sign == "=":
-                vector = {one: other, other: one}.get(links[0].left)
+                vector = others.get(links[0].left)
             case _:
                 continue
         if vector is None or vector not in set(walk(links[-1].right)):
