@@ -71,6 +71,17 @@ SAYS = {
         + "find speed(P)",
         ["𝐭 = (4𝐢 + 3𝐣)/5 one parallel to W", "(4a + 3b)/5"],
     ),
+    # So it has in a velocity before the impact that its components make.
+    "a velocity before an impact has the unit vector along the wall in one sense": (
+        """
+wall W: along 4i + 3j
+sphere P: mass 2
+P hits W: e = 1/4
+given velocity(P) = -i + 18j
+find velocity(P, 0)
+""",
+        ["𝐭 = (4𝐢 + 3𝐣)/5", "𝐮_P = −60((−3𝐢 + 4𝐣)/5) + 10((4𝐢 + 3𝐣)/5)", "(44𝐢 − 42𝐣)"],
+    ),
     # Of one impact nothing is lost besides.
     "what one impact loses is not called a total": (
         WALL.format(e="") + "find total_energy_lost",

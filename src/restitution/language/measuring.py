@@ -88,7 +88,6 @@ class _Reading:
 
     letters: AbstractSet[str]
     mistakes: list[StatementError] = field(default_factory=list)
-    left_out: list[Measured] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
 
 
@@ -107,7 +106,7 @@ def in_si(problem: Problem, named: AbstractSet[str]) -> tuple[Problem, tuple[Not
         first, *others = reading.mistakes
         first.others = tuple(others)
         raise first
-    return rewritten, (*_left_out(reading.left_out), *reading.notes)
+    return rewritten, tuple(reading.notes)
 
 
 def like_units(problem: Problem) -> frozenset[str]:
@@ -398,7 +397,6 @@ def _decide(reading: _Reading, measured: Measured, slot: Slot) -> Expression:
         reading.mistakes.append(refusal)
         return measured.operand
     if known.factor == 1:
-        reading.left_out.append(measured)
         return measured.operand
     value = scaled(measured.operand, known.factor)
     _converted(reading, measured, value)
@@ -465,22 +463,6 @@ def _instead(measured: Measured, text: str) -> Fix:
         f"Replace '{measured.unit}' by '{text.strip()}'" if text else f"Leave out '{measured.unit}'"
     )
     return Fix(label, (Edit(*measured.stretch, text),))
-
-
-def _left_out(units: list[Measured]) -> Iterator[Note]:
-    """One note for all units that say what is understood."""
-    if not units:
-        return
-    typed = list(dict.fromkeys(f"'{unit.unit}'" for unit in units))
-    listed = ", ".join(typed[:-1]) + " and " + typed[-1] if typed[1:] else typed[0]
-    was = "were" if typed[1:] else "was"
-    first = min(units, key=_place_of_unit)
-    label = "Leave out the units" if units[1:] else f"Leave out {typed[0]}"
-    yield Note(
-        f"units are not needed, as all is in SI: {listed} {was} left out",
-        *_place_of_unit(first),
-        (Fix(label, tuple(Edit(*unit.stretch, "") for unit in units)),),
-    )
 
 
 def _converted(reading: _Reading, measured: Measured, value: Expression) -> None:

@@ -161,7 +161,8 @@ def _turned_line(line: Line, event: Event, beside: Vector, values: set[Expressio
     relation = line.relation
     assert isinstance(relation, Relation)
     options: list[tuple[Link, ...]] = []
-    is_own = line.move.event == event.number
+    # A velocity before the impact is of an earlier event, and rests on the axis of this one.
+    is_own = line.move.event == event.number or f"axis {event.number}" in line.premises
     for links in relation.options:
         if _is_across(links[0].left, event):
             # A scalar product keeps the order of its terms.
