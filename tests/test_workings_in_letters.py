@@ -165,7 +165,11 @@ part b
 given speed(P) = 5, q > 0
 find impulse
 """,
-        ["q = 8 or q = −8 (both are possible)", "q = 8, as q > 0", "m(8 + 4) = 12m"],
+        [
+            "q = 8 or q = −8 (both are possible, as q may have either sign)",
+            "q = 8, as q > 0",
+            "m(8 + 4) = 12m",
+        ],
         ["does not follow"],
     ),
     "a direction that a later part gives chooses too": (

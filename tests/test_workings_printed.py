@@ -193,7 +193,10 @@ CASES = {
         (
             "the normal to W is parallel to (q𝐢 + 2𝐣) − (4𝐢 − 2𝐣)",
             "q(q − 4) + 2 × 4 = ½(−4(q − 4) + 2 × 4)",
-            "q = 1 + √5 ≈ 3.24 or q = 1 − √5 ≈ −1.24 (both are possible)",
+            (
+                "q = 1 + √5 ≈ 3.24 or q = 1 − √5 ≈ −1.24 (both are possible, as q may have either "
+                "sign)"
+            ),
             "W is parallel to 4𝐢 + (3 − √5)𝐣",
         ),
         ("not written out",),

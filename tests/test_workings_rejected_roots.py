@@ -120,3 +120,36 @@ def test_what_was_not_solved_in_time_earns_nothing() -> None:
         "There is no working of the speed of P immediately after the impact: no answer within the"
         " time limit of 1e-09 s."
     )
+
+
+@pytest.mark.parametrize(
+    ("statement", "reason"),
+    [
+        # v = (1 − 2e)u and the component across is u: (1 − 2e)² = 1.
+        (
+            """
+            sphere A: mass m, velocity 3u i + u j
+            sphere B: mass 2m, at rest
+            A hits B: along i
+            given speed(A) = sqrt(2) u
+            find e
+            """,
+            "e = 0 or e = 1 (both are possible, as both are from 0 to 1)",
+        ),
+        # q² + 4 = 9.
+        (
+            """
+            wall W: along i
+            sphere P: velocity q i - 4j
+            P hits W: e = 1/2
+            given speed(P) = 3
+            find q
+            """,
+            "(both are possible, as q may have either sign)",
+        ),
+    ],
+)
+def test_why_neither_of_two_roots_is_rejected(statement: str, reason: str) -> None:
+    working = explain(solve(parse(statement)), marks="none", check=True)
+    assert not working.warnings
+    assert reason in " ".join(to_text(working).split())

@@ -12,7 +12,6 @@ from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.opposite_roots import root_but_for_sign
 from restitution.explaining.lines.saying import Sentence, operand, say
-from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
@@ -23,10 +22,12 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_quantity,
     letters,
     unsigned,
     walk,
 )
+from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import tree_of
 from restitution.problem import Value
 from restitution.render import layout as lay
@@ -170,8 +171,9 @@ class Rows(Chains):
                 yield called
             if self._is_gain(line):
                 yield say("derived.gained")
-            if are_values(line.relation) and not conditioned and not self._is_refused(line):
-                yield say(self._possible(line.relation))
+            excluded = conditioned or self._is_refused(line)
+            if are_values(line.relation) and not excluded and line.move.record != "either-side":
+                yield self._possible(line.relation)
 
     def _is_refused(self, line: Line) -> bool:
         """Whether none of the values in a line can be."""
@@ -180,23 +182,27 @@ class Rows(Chains):
             for note in self._derivation.notes
         )
 
-    def _possible(self, relation: Relation) -> SentenceId:
+    def _possible(self, relation: Relation) -> Sentence:
         """Why both of two values hold, where that is seen; that all do, where there are more."""
         if len(relation.options) != 2:
-            return "derived.all-possible"
+            return say("derived.all-possible")
         left = relation.options[0][0].left
         values = [worth(links[-1].right) for links in relation.options]
-        if not all(value.is_positive for value in values):
-            return "derived.both-possible"
-        roles_ = roles(self._naming.problem)
-        match left:
-            case Letter(name) if name in roles_ and roles_[name].kind == "restitution":
-                return "derived.both-coefficients"
-            case Letter(name) if name in roles_ and roles_[name].kind == "positive":
-                return "derived.both-positive"
-            case Apply("tan", Letter(name)) if name in roles_ and roles_[name].high == sp.pi / 2:
-                return "derived.both-positive"
-        return "derived.both-possible"
+        positive = all(value.is_positive for value in values)
+        inside = left.argument if isinstance(left, Apply) else left
+        role = roles(self._naming.problem).get(inside.name) if isinstance(inside, Letter) else None
+        match left, role:
+            case Letter(), Role("restitution") if all(value.is_nonnegative for value in values):
+                return say("derived.both-coefficients")
+            case Letter(), Role("real") if not positive and any(v.is_positive for v in values):
+                return say("derived.either-sign", letter=self._naming.layout(left))
+            case Letter(), Role("positive"):
+                bounded = positive
+            case Apply("tan"), Role("angle"):
+                bounded = positive and role.high == sp.pi / 2
+            case _:
+                bounded = positive and is_quantity(left, "speed", "mass")
+        return say("derived.both-positive" if bounded else "derived.both-possible")
 
     def _is_gain(self, line: Line) -> bool:
         """Whether a loss of kinetic energy that was asked is a negative number."""
