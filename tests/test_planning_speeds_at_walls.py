@@ -83,6 +83,36 @@ find e, deflection(P)
 """,
         ("tan β = ¾", "β ≈ 36.87°", "δ = 50° + β = 50° + arctan(3/4)", "≈ 86.9°"),
     ),
+    "a deflection, with the impulse": (
+        WALL
+        + """sphere P: mass 2, velocity 10 at alpha to W
+P hits W
+given deflection(P) = 90°, speed(P) = 7.5
+find impulse
+""",
+        ("away from W = 7.5 sin(90° − α) = 7.5 cos α = 4.5 m s⁻¹", "= 2(4.5 + 8) = 25 N s"),
+    ),
+    "a deflection of 60°, with the velocity": (
+        WALL
+        + """sphere P: velocity 8 at alpha to W
+P hits W
+given deflection(P) = 60°, speed(P) = 5
+find velocity(P)
+""",
+        (
+            "along 𝐣 = 5 sin(60° − α) = 5(√3 cos α − sin α)/2 = 5/7 m s⁻¹",
+            "the component in the direction of 𝐢 stays 8 cos α = 20√3/7",
+        ),
+    ),
+    "a deflection, with an impulse that is given": (
+        WALL
+        + """sphere P: mass 0.5, velocity v at theta to W
+P hits W
+given deflection(P) = 90°, speed(P) = 6, impulse = 5
+find theta, v
+""",
+        ("away from W = 6 sin(90° − θ) = 6 cos θ", "5 = 0.5(6 cos θ + v sin θ)"),
+    ),
     "nothing told before a slanting wall": (
         """wall W: along 3i + 4j
 sphere P: mass 2

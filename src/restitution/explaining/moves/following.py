@@ -11,6 +11,7 @@ from restitution.explaining.definitions.common import ZERO
 from restitution.explaining.lines.derivation import FLIPPED, Link, MoveId, Relation, whole_of
 from restitution.explaining.lines.opposite_roots import as_squares
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
+from restitution.explaining.lines.trees import has_ratio_of_a_sum
 from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
 from restitution.explaining.moves.bases import IDENTITIES, base_of, bases_of, condition, with_base
 from restitution.explaining.moves.combining import is_combination, is_quotient, is_sum_of_squares
@@ -264,7 +265,7 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
             base = Relation(((Link(subject, before.sign, before.right),),))
             move = replace(step.move, id=link.by or "put")
             if link.by == "identity" and move.record not in IDENTITIES:
-                move = replace(move, record="pythagoras")
+                move = replace(move, record=_identity_in(before.right))
             after = step.under(move=move, cited=(Cited("", base), *step.cited))
             if link.by == "identity":
                 # What the component is known to be by others says nothing of how it is rewritten.
@@ -281,6 +282,11 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
             return False
         before = link
     return True
+
+
+def _identity_in(tree: Expression) -> str:
+    """The identity by which a chain goes on from a form that has no name of one beside it."""
+    return "sum-of-angles" if has_ratio_of_a_sum(tree) else "pythagoras"
 
 
 def _is_link(step: Step, link: Link) -> bool:

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import has_ratio_of_a_sum
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -125,15 +126,26 @@ def _law(
         return None
     late = tidy(sign * scene.scalar(size) * (1 if kind == "across" else -1))
     known = tuple(ref for ref in premises if ref not in e.refs)
-    _know_after(scene, body, frame, kind, late, known)
-    return scene.desk.write(move, premises, whole)
+    line = scene.desk.write(move, premises, whole)
+    if not has_ratio_of_a_sum(size):
+        _know_after(scene, body, frame, kind, late, known)
+    elif kind == "along":
+        # Along the wall it is u cos α; away from it, 5 sin(60° − α) is worked out where it is used.
+        _know_after(scene, body, frame, kind, late, known, size if sign < 0 else negative(size))
+    return line
 
 
 def _know_after(
-    scene: Scene, body: str, frame: Frame, kind: str, late: sp.Expr, refs: tuple[Ref, ...]
+    scene: Scene,
+    body: str,
+    frame: Frame,
+    kind: str,
+    late: sp.Expr,
+    refs: tuple[Ref, ...],
+    form: Expression | None = None,
 ) -> None:
     """From here on a component after the wall is known by what is given."""
-    scene.desk.know(frame.component(kind, body, frame.number), late, refs)
+    scene.desk.know(frame.component(kind, body, frame.number), late, refs, form)
     if kind == "along":
         letter = component_letter(scene, body, frame)
         scene.desk.know(Letter(letter.name), frame.letter_sign * late, refs)

@@ -6,11 +6,14 @@ import sympy as sp
 
 from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Move, numbers_in
+from restitution.explaining.lines.trees import has_ratio_of_a_sum
 from restitution.expression.tree import (
     Expression,
     Letter,
+    Name,
+    Quantity,
 )
-from restitution.planning.writing.desk import Source, chain
+from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import (
     tree_of,
 )
@@ -32,6 +35,8 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
         last = settled(scene, Letter(own.name))
         if last is None or own == known.value or not isinstance(tree, Letter):
             return known  # w = v says it; of w = −v the value is a line
+    if known.form is not None and has_ratio_of_a_sum(known.form):
+        return _by_a_sum(scene, tree, known, known.form)
     value, refs = scene.put(known.value)
     lines = numbers_in(known.refs)
     if value == known.value or len(lines) != 1:
@@ -49,6 +54,32 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     move = Move("put")
     line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
     return scene.desk.know(tree, value, (line,))
+
+
+def _by_a_sum(scene: Scene, tree: Expression, known: Source, form: Expression) -> Source:
+    """A component after a wall by the sine of a difference: ``5 sin(60° − α)``, in a line.
+
+    It goes on to what that comes to, if α has been found.
+    """
+    match tree:
+        case Quantity(_, (Quantity("velocity", (Name(body),), int(event)), _)):
+            pass
+        case _:
+            return known
+    value, more = scene.put(known.value)
+    steps = (tree_of(known.value), "identity"), (tree_of(value), "put")
+    relation = chain(tree, (form, None), *steps)
+    move = Move("define", "component", event, (body,))
+    sources = [ref for ref in known.refs if not str(ref).startswith(_OF_THE_DATA)]
+    axis = scene.frame(event).names_axis("along")
+    refs = scene.judge.enough(move, together(sources, more), relation, axis)
+    if refs is None:
+        return known
+    return scene.desk.know(tree, value, (scene.desk.write(move, refs, relation),))
+
+
+# What a speed and an angle tell, with no need of how the body came.
+_OF_THE_DATA = ("velocity ", "wall ", "axis ")
 
 
 def _is_asked(scene: Scene, tree: Expression) -> bool:

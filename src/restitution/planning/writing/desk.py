@@ -335,9 +335,15 @@ class Desk:
 
     # --- values ---------------------------------------------------------------------------------
 
-    def know(self, quantity: Expression, value: Any, refs: Iterable[Ref]) -> Source:
+    def know(
+        self,
+        quantity: Expression,
+        value: Any,
+        refs: Iterable[Ref],
+        form: Expression | None = None,
+    ) -> Source:
         """From here on a quantity, a letter, or a ratio of an angle has a value."""
-        source = Source(value, tuple(refs))
+        source = Source(value, tuple(refs), form=form)
         self.version += 1
         self._sources[quantity] = (*self._sources.get(quantity, ()), source)
         return source
