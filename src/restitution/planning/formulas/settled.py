@@ -67,8 +67,8 @@ def _by_a_sum(scene: Scene, tree: Expression, known: Source, form: Expression) -
         case _:
             return known
     value, more = scene.put(known.value)
-    steps = (tree_of(known.value), "identity"), (tree_of(value), "put")
-    relation = chain(tree, (form, None), *steps)
+    expanded, worth = tree_of(known.value), tree_of(value)
+    relation = chain(tree, (form, None), (expanded, "identity"), (worth, "put"))
     move = Move("define", "component", event, (body,))
     sources = [ref for ref in known.refs if not str(ref).startswith(_OF_THE_DATA)]
     axis = scene.frame(event).names_axis("along")
