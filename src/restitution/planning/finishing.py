@@ -37,6 +37,7 @@ from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.one_component import with_one_component
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.ratios_put_in import with_ratios_put_in
+from restitution.planning.writing.squares_of_surds import with_squares_of_surds
 from restitution.planning.writing.squares_together import with_squares_together
 from restitution.planning.writing.sums_apart import with_sums_apart
 from restitution.planning.writing.values_first import with_values_first
@@ -67,6 +68,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
             with_values_first,
             with_known_directions,
             with_complements,
+            with_squares_of_surds,
             with_conjugates,
             with_sums_apart,
             with_one_component,

@@ -40,17 +40,36 @@ def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 
 def _longer(links: tuple[Link, ...]) -> Iterator[Link]:
-    """The links of a chain, with one that multiplies by the conjugate before a rational form."""
+    """The links of a chain, with those that multiply by the conjugate before a rational form."""
     for link in links:
         between = _multiplied(link) if link.sign == "=" and link.by in (None, "rearrange") else None
         if between is None:
             yield link
             continue
         yield replace(link, right=between)
+        worked = _worked_out(between, link.right)
+        if worked is not None:
+            yield Link(between, "=", worked, "rearrange")
+            between = worked
         yield replace(link, left=between, by="rearrange")
 
 
-def _multiplied(link: Link) -> Expression | None:
+def _worked_out(quotient: Binary, final: Expression) -> Expression | None:
+    """A quotient of products, multiplied out before it is cancelled.
+
+    None where it has letters or fractions in it, or nothing is cancelled.
+    """
+    if letters(quotient):
+        return None
+    above, below = (expanded(in_letters(side)) for side in (quotient.left, quotient.right))
+    terms = sp.Add.make_args(above)
+    if below == 1 or not all(term.as_coeff_Mul()[0].is_Integer for term in terms):
+        return None
+    cancels = not (is_binary(final, "/") and in_letters(final.right) == below)
+    return Binary("/", tree_of(above, as_it_is=True), tree_of(below)) if cancels else None
+
+
+def _multiplied(link: Link) -> Binary | None:
     """A left side above and below times the conjugate of its denominator; the right has no such.
 
     None where the denominator is no sum of two numbers of which one at least is a root.
@@ -73,8 +92,10 @@ def _multiplied(link: Link) -> Expression | None:
 
 
 def _is_over_roots(node: Expression) -> bool:
-    """Whether a node is a quotient with a root below."""
-    return is_binary(node, "/") and has_root(node.right)
+    """Whether a node is a quotient with a root in a sum below."""
+    if not is_binary(node, "/") or not has_root(node.right):
+        return False
+    return any(is_binary(part, "+", "-") for part in walk(node.right))
 
 
 __all__ = ["with_conjugates"]
