@@ -50,8 +50,7 @@ def _longer(links: tuple[Link, ...]) -> Iterator[Link]:
         worked = _worked_out(between, link.right)
         if worked is not None:
             yield Link(between, "=", worked, "rearrange")
-            between = worked
-        yield replace(link, left=between, by="rearrange")
+        yield replace(link, left=worked or between, by="rearrange")
 
 
 def _worked_out(quotient: Binary, final: Expression) -> Expression | None:
