@@ -222,7 +222,7 @@ def test_momenta_across_the_line_of_centres_are_no_law() -> None:
 def test_given_angles_solve_nothing() -> None:
     found = marked(OBLIQUE, "sinα=3/5 cosα=4/5\n12 - 6 = 3v + 2w", part="a")
     earned = [each["kind"] for each in found["marks"]["points"] if each["state"] == "earned"]
-    assert earned == ["M1", "A1"]
+    assert earned == ["B1", "M1", "A1"]
 
 
 def test_an_angle_to_a_line_may_be_the_acute_one() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -26,13 +27,12 @@ from restitution.practice.judging.entries import is_numeric
 from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation
-from restitution.practice.letters.options import staged
 from restitution.practice.letters.wordings import words_of
-from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase, is_vague
 from restitution.practice.script import Script, ScriptLine
 
 _OF_ANGLES = frozenset({"beta", "phi", "theta"})
-_RIGHT_ANGLE = Degrees(Fraction(90))
+_RIGHT_ANGLE, _STRAIGHT = Degrees(Fraction(90)), Degrees(Fraction(180))
 _NEAR_DEGREES = 0.6
 _CONSTANT = 1e-9
 _UNDECIDED = frozenset({"asks", "unread", "remark"})
@@ -85,8 +85,7 @@ class AskedLetters(Doubts):
         if line.verdict not in ("false", "asks") and line not in defined.values():
             return
         known = self.meanings.best.at(line.line.number)
-        worlds, problem = self.bench.worlds, self.bench.problem
-        asked = [staged(x, problem, self.bench.solved.part, n) for x, n in self.bench.wanted.asked]
+        worlds, asked = self.bench.worlds, self._asked_trees()
         true = {name for own in lines if own.verdict == "true" for name in names_in(own.line)}
         true -= defined.keys()
         for link in line.line.links:
@@ -144,19 +143,17 @@ class AskedLetters(Doubts):
         """The lines with a letter for the angle that is asked, where only its complement stands.
 
         Nobody asks for the angle to the normal: ``tan β = 0.5/0.433`` is upside down, if no line
-        has the angle itself.
+        has the angle itself. Nor has anybody two letters for one angle and its supplement.
         """
         best = self.meanings.best
-        asked = [tree for tree, _ in self.bench.wanted.asked if kind_of(tree) == "angle"]
+        asked = self._asked_angles()
         own = [
             meaning
             for meaning in best.meanings
             if meaning.by == "inferred"
-            and meaning.letter in _OF_ANGLES
             and len(asked) == 1
-            and self._agree(meaning.quantity, Binary("-", _RIGHT_ANGLE, asked[0]))
+            and (self._is_to_the_normal(meaning, asked[0], lines) or self._is_supplement(meaning))
             and not self._agree(meaning.quantity, asked[0])
-            and any(Letter(meaning.letter) in _sides_of(line.line) for line in lines)
         ]
         if len(own) != 1 or self._has_number_of(asked[0]):
             return judge_, lines
@@ -165,6 +162,61 @@ class AskedLetters(Doubts):
         other = replace(best, meanings=meanings)
         judge_too, again = self._judged(self.script, other)
         if sum(line.verdict == "false" for line in again) > 1:
+            return judge_, lines
+        self.meanings = replace(self.meanings, best=other)
+        return judge_too, again
+
+    def _is_to_the_normal(
+        self, meaning: Meaning, asked: Expression, lines: Sequence[JudgedLine]
+    ) -> bool:
+        """Whether a letter for an angle means the complement of the one that is asked."""
+        return (
+            kind_of(asked) == "angle"
+            and meaning.letter in _OF_ANGLES
+            and self._agree(meaning.quantity, Binary("-", _RIGHT_ANGLE, asked))
+            and any(Letter(meaning.letter) in _sides_of(line.line) for line in lines)
+        )
+
+    def _is_supplement(self, meaning: Meaning) -> bool:
+        """Whether a letter means the supplement of the angle that a letter above it means."""
+        own = [other for other in self.meanings.best.meanings if not is_phrase(other.letter)]
+        return kind_of(meaning.quantity) in ANGLES and any(
+            kind_of(other.quantity) in ANGLES
+            and self._agree(meaning.quantity, Binary("-", _STRAIGHT, other.quantity))
+            and self._begins(other.letter) < self._begins(meaning.letter)
+            for other in own
+        )
+
+    def _begins(self, letter: str) -> int:
+        """The number of the first line in which a letter stands."""
+        own = (line.number for line in self.script.lines if letter in names_in(line))
+        return next(own, len(self.script.lines))
+
+    def _with_angle_in_words(
+        self, judge_: Judge, lines: tuple[JudgedLine, ...]
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines of a wrong working where *the angle* is the one asked for, if no more is false.
+
+        A wrong value of it may be that of another angle.
+        """
+        best = self.meanings.best
+        asked = self._asked_angles()
+        own = [
+            meaning
+            for meaning in best.meanings
+            if is_phrase(meaning.letter)
+            and is_vague(meaning.letter)
+            and kind_of(meaning.quantity) in ANGLES
+            and meaning.quantity not in asked
+        ]
+        false = sum(line.verdict == "false" for line in lines)
+        if len(own) != 1 or len(asked) != 1 or not false:
+            return judge_, lines
+        meant = replace(own[0], quantity=asked[0])
+        meanings = tuple(meant if meaning is own[0] else meaning for meaning in best.meanings)
+        other = replace(best, meanings=meanings)
+        judge_too, again = self._judged(self.script, other)
+        if sum(line.verdict == "false" for line in again) > false:
             return judge_, lines
         self.meanings = replace(self.meanings, best=other)
         return judge_too, again

@@ -34,6 +34,7 @@ from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
+from restitution.practice.letters.options import staged
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
@@ -48,6 +49,8 @@ _SURE = 3
 """What an angle is taken for is certain with so many true lines that it stands in."""
 _ROUNDED = 0.006
 """What a student's own rounding may move a product of speeds by."""
+# Letters for a deflection, where one is asked.
+_OF_TURN = frozenset({"d", "delta"})
 _RIGHT = 1e-9
 """A sine below this is that of a multiple of two right angles."""
 
@@ -199,14 +202,26 @@ class Doubts:
             return False
         return any(self._agree(meant, tree) for tree, _ in self.bench.wanted.asked)
 
+    def _asked_trees(self) -> list[Expression]:
+        """What the part asks for, each at its moment."""
+        problem, part = self.bench.problem, self.bench.solved.part
+        return [staged(tree, problem, part, n) for tree, n in self.bench.wanted.asked]
+
+    def _asked_angles(self) -> list[Expression]:
+        """The angles that the part asks for, or the sine, cosine or tangent of which."""
+        trees = (x.argument if isinstance(x, Apply) else x for x in self._asked_trees())
+        return [tree for tree in trees if kind_of(tree) in ANGLES]
+
     def _is_taken_for_asked(self, name: str, number: int) -> bool:
-        """Whether a letter is taken for what is asked, as no line has that otherwise."""
+        """Whether a letter is taken for what is asked, as no line has that otherwise.
+
+        Where a deflection is asked, d stands for nothing else.
+        """
         if name in self.taken:
             return True
         meaning = self.meanings.best.at(number)[name]
-        asked = (tree for tree, _ in self.bench.wanted.asked)
-        is_angle = kind_of(meaning.quantity) in ANGLES
-        return meaning.by == "default" and is_angle and meaning.quantity in asked
+        turn = name in _OF_TURN and kind_of(meaning.quantity) == "deflection"
+        return (turn or meaning.by == "default") and meaning.quantity in self._asked_angles()
 
     def _is_asked_angle(self, name: str, meant: Expression, line: JudgedLine) -> bool:
         """Whether a letter is the only angle that is asked, by the sizes in a scalar product.

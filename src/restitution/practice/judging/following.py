@@ -118,16 +118,9 @@ class Following(OwnValues):
     def _following(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         if not self.wrong and not any(entry.coarse for entry in self.entries):
             return None
-        for claim in link.readings:
-            for world in self.students():
-                grade = self.accuracy(claim, world, line, link) or self._loosely(
-                    claim, world, line, link
-                )
-                if grade is not None:
-                    sources = sources_of(claim, self.entries)
-                    return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
         relabelled = (
-            self._relabelled(line, link, self.students(), "follows")
+            self._in_own_worlds(line, link)
+            or self._relabelled(line, link, self.students(), "follows")
             or self._of_unnamed_angle(line, link, self.students(), "follows")
             or self._with_own_numbers(line, link)
             or self._with_own_fixed(line, link)
@@ -158,6 +151,18 @@ class Following(OwnValues):
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
         return self._bounded(line, link)
+
+    def _in_own_worlds(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """What holds in one of the student's own worlds."""
+        for claim in link.readings:
+            for world in self.students():
+                grade = self.accuracy(claim, world, line, link) or self._loosely(
+                    claim, world, line, link
+                )
+                if grade is not None:
+                    sources = sources_of(claim, self.entries)
+                    return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
+        return None
 
     def _of_unnamed_angle(
         self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict

@@ -163,6 +163,7 @@ class _Sitting(AskedLetters):
         """The lines under the likeliest meanings of the letters."""
         judge_, lines = self._judged(self.script, self.meanings.best)
         judge_, lines = self._with_asked_angle(judge_, lines)
+        judge_, lines = self._with_angle_in_words(judge_, lines)
         judge_, lines = self._with_asked_letters(judge_, lines)
         return self._with_letters_kept(*self._with_fewest_false(judge_, lines))
 
@@ -328,9 +329,8 @@ class _Sitting(AskedLetters):
         first = next(false, frozenset())
         for meaning in self.meanings.best.meanings:
             own = [line.verdict for line in lines if meaning.letter in names_in(line.line)]
-            asked = (tree for tree, _ in self.bench.wanted.asked)
             by_look = meaning.by == "default" and kind_of(meaning.quantity) in ANGLES
-            by_look = by_look and meaning.quantity not in asked
+            by_look = by_look and meaning.quantity not in self._asked_angles()
             by_look = by_look or (meaning.by == "inferred" and meaning.letter not in first)
             if by_look and not is_phrase(meaning.letter) and "false" in own and "true" not in own:
                 yield meaning.letter

@@ -12,6 +12,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -38,6 +39,7 @@ from restitution.practice.judging.judged_link import (
     Question,
 )
 from restitution.practice.judging.other_forms import (
+    kind_of,
     label_in,
 )
 from restitution.practice.judging.own_numbers import OwnNumbers
@@ -51,8 +53,9 @@ from restitution.practice.judging.vector_momentum import (
 )
 from restitution.practice.judging.written_laws import with_written_law
 from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.options import staged
 from restitution.practice.letters.slots import same_size
-from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase, is_vague
 from restitution.practice.reading.relations import worked_out
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.principles import uses_of
@@ -158,6 +161,21 @@ class OwnValues(Holding):
             worlds = self._worlds_of_student(tuple(self.entries))
             self._own = len(self.entries), _InTurn(worlds)
         return self._own[1]
+
+    def _is_of_asked_angle(self, line: ScriptLine, link: Link) -> bool:
+        """Whether a line below a mistake gives *the angle*, and one is asked.
+
+        Another angle may have its value.
+        """
+        left, base = link.readings[0].left, self._base
+        if not isinstance(left, Letter) or not self.wrong:
+            return False
+        if not is_phrase(left.name) or not is_vague(left.name):
+            return False
+        meant = self.meanings(line.number).get(left.name)
+        wanted = self.question.wanted.asked
+        asked = [staged(tree, base.problem, base.part, now) for tree, now in wanted]
+        return meant is not None and meant in asked and kind_of(meant) in ANGLES
 
     def students_without(self, names: Collection[str]) -> Iterator[World]:
         """The worlds of the lines that have none of some letters: their meanings are open."""

@@ -122,16 +122,16 @@ def _is_other_component(entry: Entry, world: World) -> bool:
 def _is_without_half(entry: Entry, world: World) -> bool:
     """Whether one of two energies has no ½: ½(2m)w² = ¼mu² for a quarter of ½mu²."""
     for one, other in permutations((entry.claim.left, entry.claim.right)):
+        if _loses(entry, one, other) and not has_half(one):
+            twice = Claim(other, "=", Binary("/", one, _TWO))
+            if holds_in(replace(entry, claim=twice), world):
+                return True  # lost = m(10u² - 4u²)
         if not has_square(one):
             continue
         if is_bare(other) and not has_half(one) and is_given_energy(other, world):
             claim = Claim(Binary("/", one, _TWO), "=", other)  # 2(6)² - 2v² = 18, lost 18
             if holds_in(replace(entry, claim=claim), world):
                 return True
-        twice = Claim(other, "=", Binary("/", one, _TWO))
-        lost = one is entry.claim.right and is_quantity(meant_by(entry), *LOSSES)
-        if lost and not has_half(one) and holds_in(replace(entry, claim=twice), world):
-            return True  # lost = m(10u² - 4u²)
         if not has_square(other) or is_bare(other):
             continue
         if has_half(one) and not has_half(other):
@@ -139,6 +139,12 @@ def _is_without_half(entry: Entry, world: World) -> bool:
             if holds_in(replace(entry, claim=claim), world):
                 return True
     return False
+
+
+def _loses(entry: Entry, one: Expression, other: Expression) -> bool:
+    """Whether a line gives an energy lost as squares, or as a difference: 3(100) - 3(40)."""
+    lost = other is entry.claim.left and is_quantity(meant_by(entry), *LOSSES)
+    return lost and (has_square(one) or is_binary(one, "-"))
 
 
 def _is_of_line_energies(entry: Entry, world: World) -> bool:

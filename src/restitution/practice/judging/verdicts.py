@@ -612,6 +612,7 @@ class Judge(Unlabelled):
             )
         return (
             self._root(line, link)
+            or (self._in_own_worlds(line, link) if self._is_of_asked_angle(line, link) else None)
             or self._relabelled(line, link, self.worlds, "true")
             or self._of_unnamed_angle(line, link, self.worlds, "true")
             or self._of_other_root(line, link)

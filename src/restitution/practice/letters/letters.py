@@ -65,7 +65,6 @@ from restitution.practice.letters.wordings import words_of
 from restitution.practice.reading.phrase_names import (
     is_phrase,
     is_relative,
-    is_vague,
     names_distance,
 )
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
@@ -238,9 +237,7 @@ class _Search(LettersOfLines):
             return list(of_trees(latest[-1].trees))
         phrase = around.phrase(name, scope.event)
         if phrase:
-            own = [around.staged(tree, scope) for tree in self._other_way(name, phrase)]
-            if is_vague(name):  # an angle is that which is asked, if it may be
-                own.sort(key=lambda tree: tree not in around.asked)
+            own = self.staged(name, self._other_way(name, phrase), scope)
             last = around.world.now()
             stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
             if scope.event is None and any(

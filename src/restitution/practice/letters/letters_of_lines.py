@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -41,6 +41,7 @@ from restitution.practice.letters.surroundings import (
 )
 from restitution.practice.letters.trial import NOWHERE, Frame, inside_angles, resolved_in
 from restitution.practice.reading.angles import is_angle
+from restitution.practice.reading.phrase_names import is_vague, is_whole_loss
 from restitution.practice.script import Claim, Link, Scope, Script
 from restitution.problem import Event, Impact, Kick
 from restitution.vector import Vector
@@ -241,7 +242,7 @@ class LettersOfLines:
         """What a letter or phrase means where no line tells."""
         phrase = self.around.phrase(name, scope.event)
         if phrase:
-            meant = list(of_trees([self.around.staged(tree, scope) for tree in phrase]))
+            meant = list(of_trees(self.staged(name, phrase, scope)))
             if name in self.vector_phrases:
                 meant = [candidate for candidate in meant if candidate.nature == "vector"] or meant
             return meant[0]
@@ -279,6 +280,14 @@ class LettersOfLines:
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
         known = known or self._asked_coordinate(name)
         return known or self._by_shape(name) or self._only_speed(name) or self._only_angle(name)
+
+    def staged(self, name: str, trees: Iterable[Expression], scope: Scope) -> list[Expression]:
+        """What a phrase may mean in a scope; an angle, or a loss, is that which is asked first."""
+        own = [self.around.staged(tree, scope) for tree in trees]
+        whole = scope.event is None and is_whole_loss(name, self.around.problem)
+        if is_vague(name) or whole:
+            own.sort(key=lambda tree: tree not in self.around.asked)
+        return own
 
     def _asked_velocities(self, after: Sequence[Candidate]) -> list[Candidate]:
         """The velocity that the part asks for, or whose size it does, of one body that is struck.

@@ -253,6 +253,11 @@ class Grounds:
         named = line.mistake is not None and line.mistake.id in OF_DEFLECTION
         return named and line.verdict == "false"
 
+    def _is_tangent_after(self, line: JudgedLine) -> bool:
+        """Whether the tangent of the angle after is given as that of the deflection: tan d = 3."""
+        named = line.mistake is not None and line.mistake.id == "deflection-is-after"
+        return named and any(is_function(x.readings[0].left, "tan") for x in line.line.links)
+
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more.
 
@@ -466,7 +471,7 @@ def _is_ratio_of_angle(point: MarkPoint) -> bool:
 def _is_of_a_law(point: MarkPoint) -> bool:
     """Whether a point is for the method of a law, or an impulse, or for an equation of a law."""
     if point.letter == "M":
-        return point.principle in (*LAWS, "impulse")
+        return point.principle in LAWS
     return point.equation and point.principle in LAWS
 
 

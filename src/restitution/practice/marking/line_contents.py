@@ -151,6 +151,27 @@ class LineContents(Sides):
             if isinstance(node, Name)
         )
 
+    def has_component_of(self, bodies: Sequence[str], line: JudgedLine) -> bool:
+        """Whether a letter for a component of one of some bodies after an impact is in a line.
+
+        Of any body, where none is named.
+        """
+        meanings = self._meanings(line)
+        meant = (
+            meanings.get(own.name, own) if isinstance(own, Letter) else own
+            for chain in chains(line)
+            for claim in chain
+            for own in self.velocities_in(claim, line)
+        )
+        return any(
+            self._is_component(tree)
+            and any(
+                isinstance(node, Name) and (not bodies or node.name in bodies)
+                for node in walk(tree)
+            )
+            for tree in meant
+        )
+
     def is_about_others(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line names a sphere of which a point says nothing, and not all of its own."""
         if point.link is None:

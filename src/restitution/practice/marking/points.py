@@ -164,6 +164,8 @@ class _Examiner(SinglePoints):
                     continue  # an equation shows the components in it
                 if point.equation and state.point.principle not in _IN_EQUATIONS:
                     continue  # an equation needs the components in it, and nothing found before
+                if point.equation and self._is_of_unknown(state.point, line):
+                    continue  # a letter for a component needs no value of it
                 if state.line is not None and self._is_wrong(state.line):
                     continue
                 if whole and state.point.principle in (*_RESOLVING, "impulse", "speed"):
@@ -172,6 +174,12 @@ class _Examiner(SinglePoints):
                 self.states[name] = replace(
                     state, state="earned", line=own.line, why=why, implied=True
                 )
+
+    def _is_of_unknown(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line has a letter for a component from which a point's condition finds it."""
+        of_body = point.principle in ("angle", "fact") and bool(point.bodies)
+        known = of_body or point.principle in ("condition", "unchanged")
+        return known and self.values.has_component_of(point.bodies, line)
 
     def _is_right_throughout(self, line: JudgedLine) -> bool:
         """Whether no number of a true line is one that a false line above has worked out."""
@@ -247,6 +255,7 @@ class _Examiner(SinglePoints):
                 state = self.states[name]
                 is_step = state.point.letter == "M" and state.point.principle in _OF_STEPS
                 is_step = is_step or self._is_of_other_law(state.point, line)
+                is_step = is_step or self._is_in_a_tangent(point, state.point, line)
                 worked = state.point.principle == "energy" and name in point.depends
                 worked = worked and point.principle == "energy" and not is_plain(line)
                 is_step = is_step or (state.point.letter == "M" and worked)
@@ -265,6 +274,17 @@ class _Examiner(SinglePoints):
                     self.states[name] = replace(
                         state, state="earned", line=own.line, why=why, implied=True
                     )
+
+    def _is_in_a_tangent(self, angle: MarkPoint, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a point is for the component that stays, in the tangent of an angle after.
+
+        The other one, or the angle, is wrong there.
+        """
+        return (
+            angle.principle in ("angle", "condition")
+            and (point.letter, point.principle) == ("B", "unchanged")
+            and not self._is_exchanged(point, line)
+        )
 
     def _is_at_old_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line follows from a wrong angle to a wall, or from that to another one.

@@ -20,6 +20,7 @@ from restitution.practice.marking.lines import (
     SOUND,
     continues,
     fitting_uses,
+    has_vector,
     is_plain,
     is_sound,
 )
@@ -128,6 +129,7 @@ class SinglePoints(Grounds):
                     for line in sound
                     if self.values.has_angle(point, line)
                     or self.values.works_out_an_angle(line, known=not self._is_below(line))
+                    or self._is_tangent_after(line)
                 ),
                 None,
             )
@@ -322,7 +324,7 @@ class SinglePoints(Grounds):
     def _is_unresolved(self, line: JudgedLine) -> bool:
         """Whether a line only gives a speed to which whole speeds have led, without components."""
         above = {root.mistake.id for root in self._roots(line) if root.mistake is not None}
-        return bool(above & _OF_WHOLE_SPEEDS) and is_plain(line)
+        return bool(above & _OF_WHOLE_SPEEDS) and is_plain(line) and not has_vector(line)
 
     def _is_denied(self, point: MarkPoint) -> bool:
         """Whether a false line has a component that stays as another one."""
@@ -609,6 +611,8 @@ class SinglePoints(Grounds):
                 continue  # a change needs the energy after as well
             if self._is_of_another(point, line):
                 continue
+            if point.principle == "speed" and self.values.is_of_the_start(line):
+                continue  # the speed before is another one
             by_energy = (point.principle, use.principle) == ("speed", "energy")
             own_speed = line.verdict == "false" and self.values.is_of_a_speed(line)
             if by_energy and not own_speed and self._is_answered_wrongly(point):

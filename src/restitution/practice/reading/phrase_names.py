@@ -77,6 +77,13 @@ def is_vague(name: str) -> bool:
     return all(HEADS.get(word) in _VAGUE for word in words)
 
 
+def is_whole_loss(name: str, problem: Problem) -> bool:
+    """Whether a phrase names an energy lost, and says neither of which body nor in which event."""
+    features = features_of(words_of(name), problem)
+    of_part = features.names or features.event or features.direction or features.wall
+    return "loss" in features.heads and not of_part
+
+
 def names_time(name: str) -> bool:
     """Whether a phrase names a time: since when, it need not say."""
     return any(HEADS.get(word) == "time" for word in name.casefold().split())

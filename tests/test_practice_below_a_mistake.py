@@ -1,0 +1,147 @@
+"""What lines below a mistake earn, and which letters and words keep what is asked."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import restitution
+
+CORNER = """
+wall AB: along i
+wall BC: along j
+sphere P: mass 6, velocity 8i - 4j
+P hits AB: e = 1/2
+P hits BC: e = 3/4
+part a
+find velocity(P), speed(P)
+part b
+find total_energy_lost
+"""
+AT_REST = """
+sphere A: mass 2, velocity 4i + 3j
+sphere B: mass 4, at rest
+A hits B: along i, e = 1/4
+find velocity(A), velocity(B)
+"""
+BLOW = """
+wall W: along j
+sphere P: mass 4, velocity 3i + 2j
+P receives 8i - 12j
+part a
+find velocity(P), speed(P)
+P hits W: e = 1/2
+part b
+find velocity(P)
+"""
+TURNED = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 3m, at rest
+A hits B: along i
+given tan(deflection(A)) = 3
+find e
+"""
+WALL = """
+wall W: along i
+sphere P: mass 2, velocity 12i - 5j
+P hits W: e = 3/5
+part a
+find velocity(P), speed(P)
+"""
+SLOPE = """
+wall W: along i
+sphere P: velocity 10 at 45° to W
+P hits W: e = 1/4
+find speed(P), angle(velocity(P), W)
+"""
+AGAINST = """
+sphere A: mass 2m, velocity 5u at alpha
+sphere B: mass m, velocity -2u i
+A hits B: along i, e = 1/2
+given tan(alpha) = 3/4
+part a
+find velocity(A), velocity(B)
+part b
+find tan(deflection(A))
+"""
+TANGENT = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+given e < 1/3
+find tan(angle(velocity(A), line_of_centres))
+"""
+
+
+@cache
+def solved(statement: str) -> restitution.Solution:
+    return restitution.solve(restitution.parse(statement))
+
+
+def marked(statement: str, part: str | None, *lines: str, **letters: str) -> dict[str, Any]:
+    return restitution.mark(solved(statement), list(lines), part, letters).json()
+
+
+def states(found: dict[str, Any]) -> list[str]:
+    """The points, each with what it is for: ``B1 component that …``, and whether it is earned."""
+    return [f"{x['kind']} {x['state']}" for x in found["marks"]["points"]]
+
+
+def test_an_energy_lost_without_its_half_keeps_the_method() -> None:
+    found = marked(CORNER, "b", "loss = 6(80) - 6(40) = 240")
+    assert found["lines"][0]["mistake"]["id"] == "energy-no-half"
+    assert states(found) == ["M1 earned", "A1ft lost"]
+    assert marked(CORNER, "b", "loss = 3(80) - 3(40) = 120")["marks"]["earned"] == 2
+
+
+def test_a_vector_with_a_component_from_whole_speeds_shows_the_other_one() -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    lines = ("10 = 2v + 4w", "w - v = 1.25", "w = 2.08, v = 0.83", "A: 0.83i + 3j, B: 2.08i")
+    assert states(marked(AT_REST, None, *lines, **letters))[0] == "B1 earned"
+
+
+def test_what_follows_from_an_impulse_without_its_mass_is_followed_through() -> None:
+    found = marked(BLOW, "a", "v = 3i + 2j + 8i - 12j = 11i - 10j", "speed = √221 = 14.9")
+    assert states(found) == ["M1 lost", "A1 lost", "A1 lost", "M1 earned", "A1ft earned"]
+
+
+def test_a_law_with_letters_for_components_needs_no_condition() -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    found = marked(TURNED, None, "u cos 45 = v + 3w", "w - v = eu cos 45", **letters)
+    assert found["marks"]["earned"] == 4
+
+
+def test_the_speed_before_is_no_speed_after() -> None:
+    lines = ("along wall 12", "speed before = √(144 + 25) = 13", "speed after = 3/5 × 13 = 7.8")
+    assert marked(WALL, "a", *lines)["marks"]["earned"] == 1
+
+
+def test_the_angle_that_follows_is_that_which_is_asked() -> None:
+    """Upside down, e gives what is the angle to the normal in truth."""
+    lines = ("10 cos 45 = 7.07", "perp after = 4 × 7.07 = 28.3", "angle = 76.0")
+    found = marked(SLOPE, None, *lines)
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "follows"]
+    assert states(found)[-2:] == ["M1 earned", "A1ft earned"]
+
+
+def test_the_tangent_after_given_as_that_of_the_deflection_keeps_its_method() -> None:
+    found = marked(AGAINST, "b", "tan d = 3", d="deflection(A)")
+    assert found["lines"][0]["mistake"]["id"] == "deflection-is-after"
+    assert states(found)[0] == "M1 earned"
+
+
+def test_a_letter_is_no_supplement_of_another_one() -> None:
+    found = marked(AGAINST, "b", "tan b = 3", "tan d = (3 + 0.75)/(1 - 2.25) = -3")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false"]
+
+
+def test_a_tangent_that_follows_shows_the_component_that_stays() -> None:
+    letters = {
+        "v": "along(velocity(A), i)",
+        "w": "along(velocity(B), i)",
+        "b": "angle(velocity(A), line_of_centres)",
+    }
+    lines = ("u cos α = v + 3w", "w - v = eu cos α", "4v = (1 - e)u cos α")
+    found = marked(TANGENT, None, *lines, "tan b = 4 tan α/(1 - e)", **letters)
+    stays = [x for x in found["marks"]["points"] if x["kind"] == "B1"]
+    assert [x["state"] for x in stays] == ["earned"]
