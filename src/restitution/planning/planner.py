@@ -56,6 +56,7 @@ from restitution.planning.open_clashes import write_open_clash
 from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.routes.back_through_walls import write_back_through_walls
 from restitution.planning.routes.before_impulses import write_before_impulses
+from restitution.planning.routes.before_slanting_impacts import write_before_slanting_impacts
 from restitution.planning.routes.coefficients_given import with_coefficients_given
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
 from restitution.planning.routes.items import write_item
@@ -527,6 +528,7 @@ def _write_end(
         write_open_lines(scene)
         write_back_through_walls(scene)
         write_before_impulses(scene)
+        write_before_slanting_impacts(scene)
         write()
         if scene.sided:
             write_other_side(scene, result, name)
