@@ -145,3 +145,46 @@ def test_a_tangent_that_follows_shows_the_component_that_stays() -> None:
     found = marked(TANGENT, None, *lines, "tan b = 4 tan α/(1 - e)", **letters)
     stays = [x for x in found["marks"]["points"] if x["kind"] == "B1"]
     assert [x["state"] for x in stays] == ["earned"]
+
+
+FOUND = """
+sphere A: mass 2, velocity 5i + 4j
+sphere B: mass 3, at rest
+A hits B
+given velocity(A) = 2i - 2j
+find velocity(B), line_of_centres
+"""
+
+
+def test_a_wrong_change_of_velocity_is_gone_on_with() -> None:
+    lines = (
+        "change in velocity of A = -3i - 2j",
+        "line of centres along 3i + 2j",
+        "3v = 2(3i + 2j)",
+        "v = 2i + 4/3 j",
+    )
+    found = marked(FOUND, None, *lines, v="velocity(B)")
+    assert [line["verdict"] for line in found["lines"]] == ["false", *["follows"] * 3]
+    other = marked(FOUND, None, *lines[:2], "3v = 3i + 2j", v="velocity(B)")
+    assert other["lines"][2]["verdict"] == "false"
+
+
+def test_an_angle_that_is_worked_out_and_not_named_answers() -> None:
+    statement = """wall W: along i
+sphere P: mass m, velocity 8i - 6j
+P hits W: e = 1/3
+find angle(velocity(P), W)"""
+    assert states(marked(statement, None, "tan⁻¹(2/8) = 14.0°"))[-1].endswith("earned")
+    assert states(marked(statement, None, "tan⁻¹(2/8) = 14.2°"))[-1].endswith("lost")
+
+
+def test_the_square_of_a_wrong_velocity_follows_though_it_cannot_be() -> None:
+    statement = """wall W: along i
+sphere P: mass 2, velocity 6i - 8j
+P hits W
+given speed(P) = 7
+find e"""
+    found = marked(statement, None, "after: 6e i + 8j", "36e² + 64 = 49", "36e² = -15")
+    assert [line["verdict"] for line in found["lines"]] == ["false", "follows", "follows"]
+    other = marked(statement, None, "after: 6e i + 8j", "36e² + 60 = 49")
+    assert other["lines"][1]["verdict"] == "false"

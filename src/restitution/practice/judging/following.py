@@ -57,6 +57,7 @@ from restitution.practice.judging.other_forms import (
     with_across_exchanged,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
+from restitution.practice.judging.own_vectors import square_of_own, with_vectors_put_back
 from restitution.practice.judging.plain_mistakes import is_of_energy
 from restitution.practice.judging.support import Support
 from restitution.practice.judging.uses import repeated_in
@@ -123,6 +124,7 @@ class Following(OwnValues):
             or self._relabelled(line, link, self.students(), "follows")
             or self._of_unnamed_angle(line, link, self.students(), "follows")
             or self._with_own_numbers(line, link)
+            or self._with_own_vectors(line, link)
             or self._with_own_fixed(line, link)
             or self._with_own_energies(line, link)
             or self._with_own_components(line, link)
@@ -177,6 +179,17 @@ class Following(OwnValues):
                         sources = sources_of(claim, self.entries) if verdict == "follows" else ()
                         meant = tuple((name, angle) for name in unnamed_in(claim))
                         return JudgedLink(verdict, own, grade, sources, meant=meant)
+        return None
+
+    def _with_own_vectors(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that is true with what the student's wrong vectors stand for."""
+        for claim in link.readings:
+            if (number := square_of_own(claim, self.entries, self._base)) is not None:
+                return JudgedLink("follows", claim, "exact", (number,))
+            for own, number in with_vectors_put_back(claim, self.entries, self._base):
+                grade = self._best_accuracy(own, self.worlds, line, link)
+                if grade is not None:
+                    return JudgedLink("follows", claim, grade, (number,), right=own)
         return None
 
     def _with_own_numbers(self, line: ScriptLine, link: Link) -> JudgedLink | None:

@@ -412,9 +412,11 @@ class Sides:
         ]
         if not own or any(isinstance(value, Vector) for value in (worth, asked)):
             return False
-        if isinstance(asked, Angle) or isinstance(worth, Angle):
+        if isinstance(asked, Angle) != isinstance(worth, Angle):
             return False
         a, b = (np.abs(spread_of(self._base, value)) for value in (worth, asked))
+        if isinstance(asked, Angle):
+            a, b = np.degrees(a), np.degrees(b)
         return bool(np.all(np.abs(a - b) <= float(own[0].half_unit) * (1 + _NEAR)))
 
     def _is_nameless(
