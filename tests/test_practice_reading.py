@@ -123,6 +123,31 @@ def test_a_part_and_an_event_open_a_scope() -> None:
     assert script.lines[2].scope.event == 2
 
 
+@pytest.mark.parametrize(
+    ("typed", "parts"),
+    [
+        ("v = 3\n(b)\nw = 2", ["a", "b", "b"]),
+        ("let v be the speed of P\n(b)\nw = 2", ["b", "b", "b"]),
+        ("1(a) v = 3\n1(b) w = 2", ["a", "b"]),
+        ("Q1. (a) v = 3\nQ1. (b) w = 2", ["a", "b"]),
+        ("2(a) = 3\nv = 3", [None, None]),
+    ],
+)
+def test_every_line_is_in_a_part_where_one_is_opened(typed: str, parts: list[str | None]) -> None:
+    assert [each.part for each in read_working(typed, problem(WALLS)).lines] == parts
+
+
+@pytest.mark.parametrize("typed", ["v = 9..76", "v = 9,76", "v = 9.76"])
+def test_a_decimal_is_one_number(typed: str) -> None:
+    (link,) = line(typed).links
+    assert [written_claim(each) for each in link.readings] == ["v = 9.76"]
+
+
+def test_values_behind_a_comma_are_two() -> None:
+    (link,) = line("v = 2, 12").links
+    assert [written_claim(each) for each in link.readings] == ["v = 2 or 12"]
+
+
 def test_what_cannot_be_read_says_where() -> None:
     read = line("v = 3 + = 4")
     assert (read.kind, read.column) == ("unread", 8)

@@ -49,6 +49,11 @@ _TYPED = (
         re.compile(r"(^|[=+(:*/-]\s*|[A-Za-z]\s)<([^<>=,]{1,20}),([^<>=,]{1,20})>(?!\s*[\w√(.])"),
         r"\1(\2,\3)",
     ),
+    (re.compile(r"(?<=\d)\.\.(?=\d)"), "."),
+    (  # a decimal, and no two values: those have a blank between them
+        re.compile(r"(=\s*-?\d+),(\d{2,})(?=\s*(?:$|[=°mNJ]|deg))"),
+        r"\1.\2",
+    ),
     (re.compile(r"\b(sep)\s?/\s?(app)\b", re.IGNORECASE), r"\1/\2roach"),
     (re.compile(r"(?<![*\w])\*\*([A-Za-z]\w{0,3})\*\*(?![*\w])"), r" \1 "),
     (re.compile(r"(?<![A-Za-z])([ij])\^(?=\s*(?:[-+=)\s,]|$))"), r"\1 "),

@@ -14,7 +14,8 @@ from restitution.practice.script import Scope
 from restitution.problem import Impact, Kick, Problem
 
 _PART = re.compile(
-    r"\s*(?:part\s+\(?(\w{1,3})\)?|q(?:uestion)?\s*\d*\s*\(?([a-z]{1,3})\)|\(([a-zA-Z]{1,3})\)"
+    r"\s*(?:part\s+\(?(\w{1,3})\)?|q(?:uestion)?\s*\d*\s*[.)]?\s*\(?([a-z]{1,3})\)"
+    r"|(?:\d{1,2}\s*[.)]?\s*(?=\([a-z]{1,3}\)\s*(?:[^\s=<>+*/^-]|$)))?\(([a-zA-Z]{1,3})\)"
     r"|([a-zA-Z]{1,3})[).](?=\s|$))\s*(?:\((\w{1,3})\))?\s*[:.)-]?",
     re.IGNORECASE,
 )

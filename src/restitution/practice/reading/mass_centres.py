@@ -24,9 +24,10 @@ OF_ONE = re.compile(
     rf"\b(?:v_?|u_?|vel(?:ocity)?\s+of\s+)([A-Z])\s+(?=rel(?:ative|\.)?\s+to\s+{_CENTRE})"
 )
 OF_CENTRE = re.compile(
-    rf"^(\s*(?:so\s+)?){_CENTRE}(?:\s+(?:moves|goes)\s+(?:with|at)|\s+has|\s+velocity|\s+speed"
-    rf"|\s+vel)?(\s+along\s+[ij])?\s*[:=]?\s*(?={_VALUE})",
+    rf"^(\s*(?:so\s+)?){_CENTRE}(?:\s+(?:(?:moves|goes)\s+(?:with|at)|has|velocity|speed|vel)"
+    rf"(\s+along\s+[ij])?\s*[:=]?|(\s+along\s+[ij])?\s*(?:=|:?(?=[^=]*$)))\s*(?={_VALUE})",
 )
+"""Without a word and a sign before the value, *CoM 6 = 2v + w*, it is conservation of momentum."""
 
 
 def of_both(match: re.Match[str], problem: Problem) -> str:
@@ -49,4 +50,4 @@ def of_centre(match: re.Match[str], problem: Problem) -> str:
     """The velocity of the mass centre, of two spheres."""
     if len(problem.spheres) < 2:
         return match[0]
-    return f"{match[1]}velocity of centre of mass{match[2] or ''} = "
+    return f"{match[1]}velocity of centre of mass{match[2] or match[3] or ''} = "

@@ -94,7 +94,21 @@ def _read(
         number, line = typed[MAX_LINES]
         fault = f"a working has at most {MAX_LINES} lines: this one and those below are not read"
         script_lines.append(ScriptLine(number, line[:MAX_LENGTH], "unread", fault=fault, column=1))
-    return Script(tuple(script_lines))
+    return Script(_all_in_parts(script_lines, problem))
+
+
+def _all_in_parts(lines: Sequence[ScriptLine], problem: Problem) -> tuple[ScriptLine, ...]:
+    """The lines, of which those above the first label of a part are in a part too.
+
+    Mathematics without a label is of the first part; words and letters are of the part below them.
+    """
+    opened = next((line.part for line in lines if line.part is not None), None)
+    if opened is None:
+        return tuple(lines)
+    above = [line for line in lines if line.part is None]
+    if any(line.kind in ("relations", "unread") for line in above):
+        opened = next(part.label for part in problem.parts if part.label)
+    return tuple(replace(line, part=opened) if line.part is None else line for line in lines)
 
 
 # A change of velocity as a vector, at the end of its line, and a size that says not of what.
