@@ -44,3 +44,11 @@ def test_letters_of_the_data_and_of_masses() -> None:
         "given velocity(A) = i - 2j, velocity(B) = 3i + 4j\nfind a, b",
         ("mp + 2mq = −m + 2m × 5", "Comparing components: a =", "b ="),
     )
+
+
+def test_a_vector_across_the_line_of_centres_is_said_to_be_that() -> None:
+    printed_with(
+        "sphere A: mass 2, velocity 7i + b j\nsphere B: mass 3, at rest\n"
+        "A hits B: along i + j\ngiven velocity(A) = 3i - j\nfind b",
+        ("Scalar product with −𝐢 + 𝐣, perpendicular to the line of centres, before the impact:",),
+    )

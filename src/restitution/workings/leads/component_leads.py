@@ -36,7 +36,7 @@ from restitution.workings.leads.one_component import (
     vector_resolved,
 )
 from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.measured import are_parallel
+from restitution.workings.naming.measured import are_parallel, are_perpendicular
 
 # Components before the impact, or after it: at a wall, and of spheres.
 _RESOLVED = {
@@ -192,6 +192,9 @@ class ComponentLeads(LinesAround):
             parallel = fact is not None and are_parallel(along, fact.relation.only[-1].right)
             name: SentenceId = "resolved.products-along" if parallel else "resolved.products-wall"
             return say(name, wall=event.bodies[1], **slots)
+        fact = self._derivation.fact(f"axis {event.number}")
+        if fact is not None and are_perpendicular(along, fact.relation.only[-1].right):
+            return say("resolved.products-across", **slots)
         return say("resolved.products-before", **slots)
 
     def _comes_straight(self, event: Event) -> bool:

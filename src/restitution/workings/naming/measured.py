@@ -246,6 +246,12 @@ def are_parallel(one: Expression, other: Expression) -> bool:
     return first is not None and second is not None and tidy(first.cross(second)) == 0
 
 
+def are_perpendicular(one: Expression, other: Expression) -> bool:
+    """Whether two vectors are at right angles; False of what a line cannot say."""
+    first, second = vector_worth(one), vector_worth(other)
+    return first is not None and second is not None and tidy(first.dot(second)) == 0
+
+
 def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
     """A value with its unit; a sum in brackets."""
     if not unit:

@@ -52,6 +52,9 @@ SENTENCES: Mapping[str, str] = {
     "resolved.products-before": (
         "{products:capital} with {vector}, along the line of centres, before the impact:"
     ),
+    "resolved.products-across": (
+        "{products:capital} with {vector}, perpendicular to the line of centres, before the impact:"
+    ),
     "resolved.products-wall": (
         "{products:capital} with {vector}, perpendicular to {wall}, before the impact:"
     ),
