@@ -9,6 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, equality
 from restitution.expression.tree import Apply, Binary, Expression, Name, Quantity
+from restitution.planning.axes.momenta import velocity_as_vector
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import before, closing_at_wall, in_direction
@@ -115,10 +116,64 @@ def _of_all(scene: Scene, given: GivenEquation, stage: int, right: Expression) -
     return True
 
 
-def _close_parts(scene: Scene, line: int) -> None:
-    """What is open in an equation of vectors: from what stands with **i**, and with **j**."""
+def write_velocity_before(scene: Scene, number: int) -> bool:
+    """Both components of a velocity before an impact, where all else is known, by momentum.
+
+    Nothing is written, and False returned, where the line of centres is along **i** or **j**, or a
+    velocity is no vector.
+    """
+    own = scene.model.frames.get(number)
+    if own is None or own.wall is not None or 0 in own.n:
+        return False
+    bodies = scene.bodies(number)
+    masses = [scene.mass(body) for body in bodies]
+    early = [_early_vector(scene, body, number) for body in bodies]
+    late = [velocity_as_vector(scene, body, number) for body in bodies]
+    open_ = [source.value for source in early if source and any(map(scene.unknown, source.value))]
+    if None in early or None in late or len(open_) != 1:
+        return False
+    parts = [scene.unknown(component) for component in open_[0]]
+    if len(parts[0] | parts[1]) != len(parts) or not all(len(part) == 1 for part in parts):
+        return False
+    after_ = [source for source in late if source is not None]
+    if any(scene.unknown(x) for source in after_ for x in source.value):
+        return False
+    if any(scene.unknown(mass.value) for mass in masses):
+        return False
+    refs: list[Ref] = [ref for mass in masses for ref in mass.refs]
+    sides: list[Expression] = []
+    values: list[Vector] = []
+    for sources in (early, late):
+        terms: list[Expression] = []
+        whole = Vector(sp.Integer(0), sp.Integer(0))
+        for mass, source in zip(masses, sources, strict=True):
+            assert source is not None
+            refs += source.refs
+            whole += source.value * mass.value
+            if any(source.value):
+                terms.append(product(tree_of(mass.value), tree_of(source.value)))
+        sides.append(swept(total(terms)))
+        values.append(whole)
+    move = Move("law", "momentum-vector", number, bodies)
+    line = scene.desk.write(move, together(refs), chain(sides[0], (sides[1], None)))
+    _close_parts(scene, line, values)
+    return True
+
+
+def _early_vector(scene: Scene, body: str, number: int) -> Source | None:
+    """A velocity before an impact as a vector, in letters where nothing is said of it."""
+    if f"velocity {body}" in scene.facts or scene.last_event(body, number - 1):
+        return velocity_as_vector(scene, body, number - 1)
+    return scene.initial(body)
+
+
+def _close_parts(scene: Scene, line: int, values: Sequence[Vector] = ()) -> None:
+    """What is open in an equation of vectors: from what stands with **i**, and with **j**.
+
+    ``values`` are those of its sides, where letters in them stand for what is sought.
+    """
     link = scene.desk.last_link(line)
-    left, right = (scene.vector(side) for side in (link.left, link.right))
+    left, right = values or (scene.vector(side) for side in (link.left, link.right))
     open_: list[tuple[int, frozenset[sp.Symbol]]] = []
     for a, b in zip(left, right, strict=True):
         unknown = scene.unknown(expanded(a - b))

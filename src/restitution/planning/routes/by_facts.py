@@ -9,11 +9,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names, symbols_in
-from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import Degrees, Letter, Name, Quantity, walk
 from restitution.planning.angles.unknown_blows import take_blow
 from restitution.planning.axes.by_changes import take_impulse, take_opposite
-from restitution.planning.axes.given_momenta import take_mass, take_momentum
+from restitution.planning.axes.given_momenta import (
+    take_mass,
+    take_momentum,
+    write_velocity_before,
+)
 from restitution.planning.closing.excluded_roots import senses, written_law
 from restitution.planning.formulas.impacts import _given_after, after, residual
 from restitution.planning.formulas.ties import tied
@@ -64,9 +68,11 @@ class ByFacts(Course):
                         continue
                     take_blow(self.scene, body.name, event)  # type: ignore[union-attr]
                     return (own,)
-                case Quantity("velocity"):
+                case Quantity("velocity", _, stage):
                     if is_compared(self.scene, given):
                         continue
+                    if self._open(own) and write_velocity_before(self.scene, stage):
+                        return self._velocities_given(left, stage)
                     if not self._component_is_given(given):
                         self._take_velocity(given)
                     return (own,)
@@ -424,6 +430,18 @@ class ByFacts(Course):
             line = scene.judge.write((Move("put"),), (*known.refs, read, *refs), relation)
             return line is not None and self._closes(line, *open_)
         return False
+
+    def _velocities_given(self, left: Sequence[Candidate], stage: int) -> tuple[Candidate, ...]:
+        """All velocities that are given after an impact, and the laws in which nothing is open."""
+        own: list[Candidate] = []
+        for candidate in left:
+            given = self.equations.givens.get(candidate.id)
+            match given.link if given is not None else None:
+                case Link(Quantity("velocity", _, int(number)), "=") if number == stage:
+                    assert given is not None
+                    self._take_velocity(given)
+                    own.append(candidate)
+        return (*own, *(x for x in left if x not in own and not self._open(x)))
 
     def _take_velocity(self, given: GivenEquation) -> None:
         """The components of a velocity that is given are known from now on."""

@@ -1,0 +1,60 @@
+"""Velocities before an impact that all others determine: by momentum as vectors, at once."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+# Statement, what its working says, and what it does not.
+SAYS = {
+    # A loses 3(2𝐢 + 4𝐣), which is what B gains: 2(3𝐢 + 6𝐣).
+    "components that are asked": (
+        """
+        sphere A: mass 3, velocity 5i + 6j
+        sphere B: mass 2, velocity p i + q j
+        A hits B
+        given velocity(A) = 3i + 2j, velocity(B) = 4i + 7j
+        find p, q
+        """,
+        ["3(5𝐢 + 6𝐣) + 2(p𝐢 + q𝐣) = 3(3𝐢 + 2𝐣) + 2(4𝐢 + 7𝐣)", "p = 1", "q = 1"],
+        ["line of centres", "·"],
+    ),
+    "a velocity of which nothing is said, with the line of centres given": (
+        """
+        sphere A: mass m
+        sphere B: mass 3m, velocity -2u i
+        A hits B: along i + 2j
+        given velocity(A) = u i - 4u j, velocity(B) = -u i + 2u j
+        find velocity(A, 0)
+        """,
+        ["m(a𝐢 + b𝐣) − 3m × 2u𝐢 = m(u𝐢 − 4u𝐣) + 3m(−u𝐢 + 2u𝐣)", "𝐮_A = 4u𝐢 + 2u𝐣"],
+        ["·"],
+    ),
+    # The component across the line is seen to stay there.
+    "a line of centres along an axis": (
+        """
+        sphere A: mass 3, velocity 5i + 6j
+        sphere B: mass 2, velocity p i + q j
+        A hits B: along i
+        given velocity(A) = -i + 6j, velocity(B) = 4i - 2j
+        find p, q
+        """,
+        ["q = −2", "p = −5"],
+        ["(p𝐢 + q𝐣)"],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", SAYS)
+def test_a_velocity_before_comes_by_momentum_as_vectors(case: str) -> None:
+    statement, says, never = SAYS[case]
+    working = explain(solve(parse(statement)), marks="none", check=True)
+    text = " ".join(to_text(working).split())
+    assert not any("follow" in warning for warning in working.warnings)
+    for piece in says:
+        assert piece in text, text
+    for piece in never:
+        assert piece not in text
