@@ -1,4 +1,4 @@
-"""Velocities before an impact that all others determine: by momentum as vectors, at once."""
+"""Velocities at an impact that all others determine: by momentum as vectors, at once."""
 
 from __future__ import annotations
 
@@ -22,16 +22,28 @@ SAYS = {
         ["3(5𝐢 + 6𝐣) + 2(p𝐢 + q𝐣) = 3(3𝐢 + 2𝐣) + 2(4𝐢 + 7𝐣)", "p = 1", "q = 1"],
         ["line of centres", "·"],
     ),
-    "a velocity of which nothing is said, with the line of centres given": (
+    "a velocity of which nothing is said": (
         """
         sphere A: mass m
         sphere B: mass 3m, velocity -2u i
-        A hits B: along i + 2j
+        A hits B
         given velocity(A) = u i - 4u j, velocity(B) = -u i + 2u j
         find velocity(A, 0)
         """,
         ["m(a𝐢 + b𝐣) − 3m × 2u𝐢 = m(u𝐢 − 4u𝐣) + 3m(−u𝐢 + 2u𝐣)", "𝐮_A = 4u𝐢 + 2u𝐣"],
         ["·"],
+    ),
+    # 2(4𝐢 − 𝐣) − 2(𝐢 + 2𝐣) = 3(2𝐢 − 2𝐣), which B gains.
+    "components of a velocity after the impact": (
+        """
+        sphere A: mass 2, velocity 4i - j
+        sphere B: mass 3, velocity -i + j
+        A hits B
+        given velocity(A) = i + 2j, velocity(B) = x i + y j
+        find x, y
+        """,
+        ["2(4𝐢 − 𝐣) + 3(−𝐢 + 𝐣) = 2(𝐢 + 2𝐣) + 3(x𝐢 + y𝐣)", "x = 1", "y = −1"],
+        ["line of centres", "·"],
     ),
     # The component across the line is seen to stay there.
     "a line of centres along an axis": (
@@ -49,7 +61,7 @@ SAYS = {
 
 
 @pytest.mark.parametrize("case", SAYS)
-def test_a_velocity_before_comes_by_momentum_as_vectors(case: str) -> None:
+def test_a_velocity_comes_by_momentum_as_vectors(case: str) -> None:
     statement, says, never = SAYS[case]
     working = explain(solve(parse(statement)), marks="none", check=True)
     text = " ".join(to_text(working).split())

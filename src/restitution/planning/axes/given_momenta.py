@@ -116,8 +116,8 @@ def _of_all(scene: Scene, given: GivenEquation, stage: int, right: Expression) -
     return True
 
 
-def write_velocity_before(scene: Scene, number: int) -> bool:
-    """Both components of a velocity before an impact, where all else is known, by momentum.
+def write_velocity_by_momentum(scene: Scene, number: int) -> bool:
+    """Both letters in a velocity before or after an impact, where all else is known, by momentum.
 
     Nothing is written, and False returned, where the line of centres is along **i** or **j**, or a
     velocity is no vector.
@@ -129,14 +129,12 @@ def write_velocity_before(scene: Scene, number: int) -> bool:
     masses = [scene.mass(body) for body in bodies]
     early = [_early_vector(scene, body, number) for body in bodies]
     late = [velocity_as_vector(scene, body, number) for body in bodies]
-    open_ = [source.value for source in early if source and any(map(scene.unknown, source.value))]
-    if None in early or None in late or len(open_) != 1:
+    vectors = [source.value for source in (*early, *late) if source is not None]
+    open_ = [vector for vector in vectors if any(map(scene.unknown, vector))]
+    if len(vectors) < len(early) + len(late) or len(open_) != 1:
         return False
     parts = [scene.unknown(component) for component in open_[0]]
     if len(parts[0] | parts[1]) != len(parts) or not all(len(part) == 1 for part in parts):
-        return False
-    after_ = [source for source in late if source is not None]
-    if any(scene.unknown(x) for source in after_ for x in source.value):
         return False
     if any(scene.unknown(mass.value) for mass in masses):
         return False

@@ -16,7 +16,7 @@ from restitution.planning.axes.by_changes import take_impulse, take_opposite
 from restitution.planning.axes.given_momenta import (
     take_mass,
     take_momentum,
-    write_velocity_before,
+    write_velocity_by_momentum,
 )
 from restitution.planning.closing.excluded_roots import senses, written_law
 from restitution.planning.formulas.impacts import _given_after, after, residual
@@ -71,7 +71,11 @@ class ByFacts(Course):
                 case Quantity("velocity", _, stage):
                     if is_compared(self.scene, given):
                         continue
-                    if self._open(own) and write_velocity_before(self.scene, stage):
+                    if (
+                        isinstance(stage, int)
+                        and self._open(own)
+                        and write_velocity_by_momentum(self.scene, stage)
+                    ):
                         return self._velocities_given(left, stage)
                     if not self._component_is_given(given):
                         self._take_velocity(given)
