@@ -101,6 +101,21 @@ def test_units_stand_before_what_was_rejected() -> None:
     assert "N s, as " in beside
 
 
+def test_what_was_rejected_is_told_of_the_letter_alone() -> None:
+    text = "wall W: along i\nsphere P: mass 2, velocity 13 at 55° to W\nP hits W\n"
+    rows = answers(solve(parse(text + "given speed(P) = 10\nfind e, impulse"))).splitlines()
+    assert ["rejected" in row for row in rows] == [True, False]
+
+
+def test_a_number_of_several_angles_of_a_calculator_is_its_digits() -> None:
+    text = """sphere A: mass 3, velocity 5 at 35°
+sphere B: mass 4, velocity 3 at 100°
+A hits B: along i, e = 0.6
+find speed(A), direction(A), velocity(B)"""
+    rows = answers(solve(parse(text))).splitlines()
+    assert len(rows) == 3 and not any("sin" in row or "arctan" in row for row in rows)
+
+
 @pytest.mark.parametrize("form", ["markdown", "latex", "html"])
 def test_units_in_other_forms(form) -> None:
     said = answers(solve(parse(NUMBERS + "find velocity(A), impulse")), form)

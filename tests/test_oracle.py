@@ -537,3 +537,18 @@ def test_linear_equations_of_numbers_are_decided_by_elimination() -> None:
     # A product with a letter that may vanish gives none by another.
     assert Oracle(roles, (Relation(e * v - u, "="), Relation(e, ">"))).by_elimination == "unknown"
     assert Oracle(roles, (*facts, Relation(e, ">="))).possible.answer == "refuted"
+
+
+def test_a_claim_rests_on_the_facts_about_its_letters_alone() -> None:
+    """An equation that gives a letter of any value, and facts about other letters, say nothing."""
+    u, v, w, x, theta = (sp.Symbol(name, real=True) for name in ("u", "v", "w", "x", "theta"))
+    loose = Relation(v - 2 * x, "=")
+    tied = Relation(u - v, ">")
+    other = Relation(sp.tan(theta) - 7, "=")
+    oracle = Oracle({}, (loose, other, tied, Relation(w, ">")))
+    assert oracle.about(frozenset({"w"})).facts == (Relation(w, ">"),)
+    assert oracle.about(frozenset({"u"})).facts == (tied,)
+    assert set(oracle.about(frozenset({"x"})).facts) == {loose, tied}
+    assert not oracle.proves(Relation(v, ">"))
+    assert oracle.with_facts([Relation(x, ">")]).proves(Relation(v, ">"))
+    assert Oracle({"x": POSITIVE}, (loose,)).proves(Relation(v, ">"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from restitution.exact.angles import plain_angle, tidy_angle
 from restitution.exact.numbers import denested, is_nested
 from restitution.exact.orientation import forward
-from restitution.exact.plain_angles import merged
+from restitution.exact.plain_angles import merged, plain_angles_in
 from restitution.exact.quotients import reduced_over_surds
 from restitution.exact.rounding import decimal, significant
 from restitution.exact.rules_of_cosines import mend_rules_of_cosines
@@ -29,6 +29,7 @@ __all__ = [
     "is_zero",
     "merged",
     "plain_angle",
+    "plain_angles_in",
     "rationalised",
     "reduced_over_surds",
     "root_is_nested",

@@ -46,6 +46,13 @@ def has_plain_angles(value: Expr) -> bool:
     return any(not sine.free_symbols for sine in atoms_in(value, sympy.sin, sympy.cos))
 
 
+def plain_angles_in(value: Expr) -> set[Expr]:
+    """The angles of the ratios in a number: 40° for 40° and 50°, whose ratios are the same."""
+    ratios = atoms_in(value, sympy.sin, sympy.cos, sympy.tan)
+    turns = (abs(ratio.args[0]) for ratio in ratios if not ratio.free_symbols)
+    return {min(turn, sympy.pi / 2 - turn, key=abs) for turn in turns}
+
+
 @remembered(2048)
 def _merged(value: Expr) -> Expr:
     if value.is_Atom or isinstance(value, sympy.Function) or not has_plain_angles(value):
@@ -220,8 +227,7 @@ def _classes(cosines: _Cosines, kept: bool) -> list[Expr]:
 
     The cosines of 15° and 75° themselves are ``kept``, or have roots.
     """
-    classes: dict[Fraction, tuple[Expr, Expr]] = {}
-    single: dict[Fraction, list[Expr]] = {}
+    classes: dict[Fraction, list[tuple[Fraction, Expr, Expr]]] = {}
     for turns, number in cosines.items():
         rest = turns % _STEP
         sign = 1
@@ -229,19 +235,14 @@ def _classes(cosines: _Cosines, kept: bool) -> list[Expr]:
             rest, sign = _STEP - rest, -1
         if kept and not rest and not degrees.is_standard(turns):
             rest = _STEP  # cos 75° by cos 15° and sin 15°, and not by roots
-        further = _radians(sign * turns - rest)
-        # cos(ρ + φ) = cos ρ cos φ − sin ρ sin φ
-        a, b = classes.get(rest, (S.Zero, S.Zero))
-        a += number * sympy.cos(further)
-        b -= number * sympy.sin(further)
-        classes[rest] = a, b
         is_plain = kept or bool(turns % _STEP)
         cosine = _plain(turns) if is_plain else degrees.cosine_beside(turns, cosines)
-        single.setdefault(rest, []).append(tidy_number(number) * cosine)
+        own = sign * turns - rest, number, tidy_number(number) * cosine
+        classes.setdefault(rest, []).append(own)
     terms: list[Expr] = []
-    for rest, pair in classes.items():
-        one = _term(rest, *map(tidy_number, pair))
-        terms.extend(single[rest] if one is None else [one])
+    for rest, members in classes.items():
+        one = _term(rest, members) if len(members) > 1 or not rest else None
+        terms.extend([term for *_, term in members] if one is None else [one])
     return terms
 
 
@@ -250,8 +251,12 @@ def _radians(turns: Fraction) -> Expr:
     return Rational(turns.numerator, turns.denominator) * sympy.pi
 
 
-def _term(rest: Fraction, a: Expr, b: Expr) -> Expr | None:
-    """A cos ρ + b sin ρ as one cosine; None where no multiple of 15° turns it into one."""
+def _term(rest: Fraction, members: list[tuple[Fraction, Expr, Expr]]) -> Expr | None:
+    """Cosines of ρ and further angles as one cosine; None where no multiple of 15° makes one."""
+    # cos(ρ + φ) = cos ρ cos φ − sin ρ sin φ
+    pairs = [(number, _radians(further)) for further, number, _ in members]
+    a = tidy_number(Add(*(number * sympy.cos(angle) for number, angle in pairs)))
+    b = tidy_number(Add(*(-number * sympy.sin(angle) for number, angle in pairs)))
     if not rest:
         return a
     # b cos φ = a sin φ: then it is R cos(ρ − φ) with a = R cos φ, b = R sin φ.

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any, Literal
 
 from restitution.export.units import Units
+from restitution.expression.tree import Letter
 from restitution.problem import Value
 from restitution.records import dataclass
 from restitution.render.document import Document, Item, Listing, Piece, Typed
@@ -14,7 +15,13 @@ from restitution.render.document.latex import to_latex
 from restitution.render.document.markdown import to_markdown
 from restitution.render.layout import Layout, Phrase, display, display_point, display_vector
 from restitution.render.text import NO_BREAK, to_text, width
-from restitution.solving.equations.solution import Answer, ItemResult, Rejected, Solution
+from restitution.solving.equations.solution import (
+    Answer,
+    ItemResult,
+    PartSolution,
+    Rejected,
+    Solution,
+)
 from restitution.workings.naming.instances import instances
 
 Format = Literal["text", "markdown", "latex", "html"]
@@ -72,7 +79,7 @@ def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
     for part, item in solution.items():
         if label is None or part.part.label == label:
             unit = units.of(item)
-            pieces, beside = tuple(_pieces(item, unit)), tuple(_rejected(item, unit))
+            pieces, beside = tuple(_pieces(item, unit)), tuple(_rejected(part, item, unit))
             equal = is_equal(item) and bool(pieces) and isinstance(pieces[0], _Piece)
             if len(pieces) == 1 and isinstance(pieces[0], _Piece):
                 pieces = (replace(pieces[0], unit=""),)
@@ -99,8 +106,18 @@ def _pieces(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
         yield from _answer(item, answer, unit)
 
 
-def _rejected(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
+def _rejected(part: PartSolution, item: ItemResult, unit: str) -> Iterator[str | _Piece]:
+    """What was rejected; a consequence of it is not told beside the letter that was asked."""
+    told = {
+        root.reason
+        for other in part.items
+        if other is not item and isinstance(getattr(other.item, "expression", None), Letter)
+        for root in other.rejected
+    }
+    is_letter = isinstance(getattr(item.item, "expression", None), Letter)
     for root in item.rejected:
+        if root.reason in told and not is_letter:
+            continue
         if item.error is not None and item.error.message.endswith(f"rejected: {root.reason}"):
             continue  # the reason why there is no answer names the values
         yield "  (rejected: "

@@ -6,12 +6,14 @@ calculator shows at once.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Literal
 
 import sympy as sp
 
-from restitution.oracle.formula import All, Formula, Relation, Some, relations
+from restitution.oracle.formula import All, Formula, Relation, Some, letters_of, relations
 from restitution.oracle.points import BeyondError
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.scaled import scaled_sign
@@ -50,6 +52,49 @@ def hold_together(
     if False in truths:
         return "no"
     return "yes" if all(truths) else "unknown"
+
+
+def bearing_on(
+    letters: frozenset[str], facts: Sequence[Formula], roles: Mapping[str, Role]
+) -> tuple[Formula, ...]:
+    """The facts on which a claim about some letters rests.
+
+    An equation that gives a letter of any value, of which nothing else is known, says nothing of
+    the others; nor do facts that have no letter in common with the claim, or with facts that have.
+    """
+    if not letters:
+        return tuple(facts)
+    left = {fact: letters_of(fact) for fact in _flat(facts)}
+    free = {fact: _given_freely(fact, roles) for fact in left}
+    counts = Counter(name for names in left.values() for name in names)
+    idle = True
+    while idle:
+        idle = [f for f in left if any(counts[n] == 1 and n not in letters for n in free[f])]
+        for fact in idle:
+            counts.subtract(left.pop(fact))
+    near, before = letters, frozenset[str]()
+    while near != before:
+        before = near
+        near = near.union(*(names for names in left.values() if names & near))
+    return tuple(fact for fact, names in left.items() if names & near)
+
+
+@lru_cache(maxsize=4096)
+def _free_in(fact: Formula) -> frozenset[sp.Symbol]:
+    """The letters of a polynomial equation that stand there once, times a number."""
+    if not isinstance(fact, Relation) or fact.operator != "=":
+        return frozenset()
+    terms = sp.Add.make_args(fact.value)
+    symbols = fact.value.free_symbols
+    if not fact.value.is_polynomial(*symbols):
+        return frozenset()
+    alone = (term.as_coeff_Mul()[1] for term in terms)
+    return frozenset(x for x in alone if x.is_Symbol and sum(term.has(x) for term in terms) == 1)
+
+
+def _given_freely(fact: Formula, roles: Mapping[str, Role]) -> frozenset[str]:
+    """The letters that may be any number, and that an equation gives by the others."""
+    return frozenset(x.name for x in _free_in(fact) if not _is_bounded(x, roles))
 
 
 def _flat(facts: Sequence[Formula]) -> Sequence[Formula]:

@@ -14,7 +14,7 @@ import sympy as sp
 
 from restitution.oracle import decision, intervals
 from restitution.oracle.draws import Draw, draws
-from restitution.oracle.eliminated import hold_together
+from restitution.oracle.eliminated import bearing_on, hold_together
 from restitution.oracle.formula import (
     All,
     Formula,
@@ -90,11 +90,19 @@ class Oracle:
     facts: tuple[Formula, ...] = ()
     _verdicts: dict[Formula, Verdict] = field(default_factory=dict, repr=False)
     _signs: dict[sp.Expr, int | None] = field(default_factory=dict, repr=False)
+    _about: dict[frozenset[str], Oracle] = field(default_factory=dict, repr=False)
     _plain: bool = field(default=True, repr=False)
 
     def with_facts(self, facts: Iterable[Formula]) -> Oracle:
         """The same letters, under more facts."""
         return Oracle(self.roles, (*self.facts, *facts))
+
+    def about(self, letters: frozenset[str]) -> Oracle:
+        """The same letters, under the facts alone on which a claim about some of them rests."""
+        if letters not in self._about:
+            facts = bearing_on(letters, self.facts, self.roles)
+            self._about[letters] = self if facts == self.facts else Oracle(self.roles, facts)
+        return self._about[letters]
 
     def _known(self, letters: frozenset[str]) -> _Known:
         """What an answer about these letters rests on."""
@@ -177,7 +185,8 @@ class Oracle:
         if claim in self._verdicts:
             return bool(self._verdicts[claim])
         try:
-            return bool(_proved(self._known(_letters_of(claim)), claim))
+            own = self.about(_letters_of(claim))
+            return bool(_proved(own._known(_letters_of(claim)), claim))
         except _OpenError:
             return False
 

@@ -10,6 +10,7 @@ from typing import Literal
 from sympy import Rational, pi
 from sympy.polys.rings import PolyElement
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.generators import AngleKey, Key
 from restitution.explaining.lines.quotients import (
@@ -35,7 +36,6 @@ class Signs:
     oracle: Callable[[], Oracle]
     _printed: set[PolyElement] | None = field(default=None)
     _noted: int = 0
-    _cited: frozenset[str] | None = field(default=None)
 
     def of(self, x: Quotient, sure: bool = True) -> Sign | None:
         """The sign of a quotient; None where it may be zero, or that is open.
@@ -158,14 +158,15 @@ class Signs:
 
     def _takes_any_value(self, factor: PolyElement, oracle: Oracle) -> bool:
         """Whether a factor is linear in what may be any number, and of which nothing is cited."""
-        if self._cited is None:
-            self._cited = letters_of(joined(oracle.facts))
-        for n, key in self.world.keys(factor).items():
+        keys = self.world.keys(factor)
+        own = symbol_names(*(self.world.symbol(key, oracle.roles) for key in keys.values()))
+        cited = letters_of(joined(oracle.about(own).facts))
+        for n, key in keys.items():
             if key[0] not in ("letter", "quantity", "x", "y") or self._of_key(key) is not None:
                 continue
             role = oracle.roles.get(key[1], REAL) if key[0] == "letter" else REAL
             name = str(self.world.symbol(key, oracle.roles))
-            free = role.low is None and role.high is None and name not in self._cited
+            free = role.low is None and role.high is None and name not in cited
             if free and max(m[n] for m in factor) == 1:
                 return True
         return False

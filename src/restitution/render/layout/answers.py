@@ -93,7 +93,8 @@ def _display_sides(
     return [from_sympy(value, degrees=angle), rounded]
 
 
-# A sum with roots of sums of roots that costs more stands as a decimal alone.
+# What costs more stands as a decimal alone where there are ratios of several angles in it, such as
+# 40° and 70°, or a sum with roots of sums of roots.
 _NESTED = 14
 
 
@@ -102,7 +103,9 @@ def _is_long(value: Expr) -> bool:
     most = 28 if value.has(*DIRECT) else 40
     if value.has(sympy.CRootOf) or exact.cost(value) > most:
         return True
-    return exact.cost(value) > _NESTED and any(
+    if exact.cost(value) <= _NESTED:
+        return False
+    return len(exact.plain_angles_in(value)) > 1 or any(
         exact.is_nested(term)
         for node in sympy.preorder_traversal(value)
         if isinstance(node, sympy.Add)

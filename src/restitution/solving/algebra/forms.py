@@ -92,6 +92,8 @@ LONG = 30
 """What there is more to read in, by its cost, is tidied once more."""
 FOR_A_CALCULATOR = 150
 """A number of so many operations, with ratios such as sin 35°, is told by its digits alone."""
+OF_SEVERAL_ANGLES = 30
+"""The same for ratios of several angles: no other form of it becomes short."""
 
 
 def plain(value: Any, samples: Samples) -> Any:
@@ -113,7 +115,11 @@ def is_for_a_calculator(value: sp.Expr) -> bool:
     """Whether a value is a long number with ratios of angles such as 35°, that nobody reads."""
     if symbols_in(value) or not value.has(sp.sin, sp.cos, sp.tan):
         return False
-    return int(sp.count_ops(value)) > FOR_A_CALCULATOR
+    if not OF_SEVERAL_ANGLES < sp.count_ops(value) <= FOR_A_CALCULATOR:
+        return bool(sp.count_ops(value) > FOR_A_CALCULATOR)
+    merged = exact.merged(value)
+    several = len(exact.plain_angles_in(merged)) > 1
+    return several and bool(sp.count_ops(merged) > OF_SEVERAL_ANGLES)
 
 
 def bound(x: sp.Expr) -> sp.Expr:
@@ -297,6 +303,8 @@ def _deciding_sign(x: sp.Expr, samples: Samples) -> sp.Expr:
 
 def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
     """The angle of a vector with x > 0: by its sine or cosine where that saves a root."""
+    if is_for_a_calculator(y / x):
+        return sp.atan(y / x)
     tangent = tidy(neat(y / x))
     if _has_root(tangent) and not exact.root_is_nested(x**2 + y**2):
         size = sp.sqrt(tidy(x**2 + y**2))
