@@ -67,9 +67,7 @@ def bearing_on(
     left = {fact: letters_of(fact) for fact in _flat(facts)}
     free = {fact: _given_freely(fact, roles) for fact in left}
     counts = Counter(name for names in left.values() for name in names)
-    idle = True
-    while idle:
-        idle = [f for f in left if any(counts[n] == 1 and n not in letters for n in free[f])]
+    while idle := [f for f in left if any(counts[n] == 1 and n not in letters for n in free[f])]:
         for fact in idle:
             counts.subtract(left.pop(fact))
     near, before = letters, frozenset[str]()
