@@ -108,7 +108,7 @@ def _pieces(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
 
 def _rejected(part: PartSolution, item: ItemResult, unit: str) -> Iterator[str | _Piece]:
     """What was rejected; a consequence of it is not told beside the letter that was asked."""
-    told = {
+    reasons = {
         root.reason
         for other in part.items
         if other is not item and isinstance(getattr(other.item, "expression", None), Letter)
@@ -116,7 +116,7 @@ def _rejected(part: PartSolution, item: ItemResult, unit: str) -> Iterator[str |
     }
     is_letter = isinstance(getattr(item.item, "expression", None), Letter)
     for root in item.rejected:
-        if root.reason in told and not is_letter:
+        if root.reason in reasons and not is_letter:
             continue
         if item.error is not None and item.error.message.endswith(f"rejected: {root.reason}"):
             continue  # the reason why there is no answer names the values
