@@ -116,7 +116,10 @@ find speed(A), speed(B)
         ("the speed of A is 13/3 m/s", "speed(A) = 13/3 m/s: right"),
         ("vA = 4.33", "speed(A) = 4.33: right"),
         ("speed of A: 4.33", "speed(A) = 4.33: right"),
-        ("vA = 4.81", "speed(A) = 4.81: not right; it is what comes of: A sign in momentum"),
+        (
+            "vA = 4.81",
+            "speed(A) = 4.81: not right; it is what comes of: A sign in momentum (momentum-sign)",
+        ),
         ("v_B = 3", "speed(B) = 3: not right"),
     ],
 )

@@ -17,6 +17,7 @@ from restitution.explaining.mistakes.misconceptions import (
     SLIPS,
     alteration,
     misconception,
+    mistake_id,
     variants_at,
 )
 from restitution.expression.tree import Quantity, walk
@@ -161,3 +162,16 @@ def test_no_two_rows_of_a_list_have_the_same_words(name):
 def test_a_slip_is_no_unknown_mistake():
     with pytest.raises(StatementError, match="'sign' is a slip, which has no world of its own"):
         misconception("sign")
+
+
+@pytest.mark.parametrize("record", [*MISCONCEPTIONS.values(), *SLIPS.values()])
+def test_a_mistake_is_known_by_its_title(record):
+    assert mistake_id(record.title.upper().replace(" ", "-")) == record.id == mistake_id(record.id)
+    assert mistake_id(f"{record.title}/2") == f"{record.id}/2"
+
+
+def test_the_nearest_title_is_told_by_its_id():
+    with pytest.raises(StatementError, match="did you mean masses-exchanged"):
+        misconception("masses exchangd")
+    with pytest.raises(StatementError, match="did you mean mass-omitted"):
+        misconception("Masses left ot")

@@ -1275,3 +1275,10 @@ def test_the_angles_of_a_deflection_are_its_first_method() -> None:
         ("deflection = 87.1°", 0),
     ):
         assert restitution.mark(solution, working, part="b").marks.earned == earned, working
+
+
+def test_a_mistake_that_is_named_tells_its_id_once():
+    shown = restitution.mark(restitution.parse(MISTAKES), "v cos b = 17cos a\nv sin b = 8", hints=3)
+    assert str(shown).count("Mistake: restitution-omitted.") == 1
+    shown = restitution.mark(restitution.parse(MISTAKES), "v cos b = 17cos a\nv sin b = 8", hints=2)
+    assert "restitution-omitted" not in str(shown)

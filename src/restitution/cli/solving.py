@@ -133,15 +133,16 @@ def require_together(asked: Solving) -> None:
                 raise RefusedError("with --answers-only there is no working", option)
 
 
-def require_mistake(name: str) -> None:
-    """Raises RefusedError for a mistake that is not there."""
+def require_mistake(name: str) -> str:
+    """The id of a mistake, from its id or title. Raises RefusedError for one that is not there."""
     from restitution.errors import StatementError
-    from restitution.explaining.mistakes.misconceptions import misconception
+    from restitution.explaining.mistakes.misconceptions import misconception, mistake_id
 
     try:
         misconception(name)
     except StatementError as error:
         raise RefusedError(error.message, "--as") from None
+    return mistake_id(name)
 
 
 def solve(asked: Solving, early: Worker | None) -> int:
@@ -166,7 +167,7 @@ def solve(asked: Solving, early: Worker | None) -> int:
         asked.working,
         asked.route,
         asked.check,
-        asked.mistake,
+        None if asked.mistake is None else require_mistake(asked.mistake),
     )
     worst = 0
     with interruptible(), worker_of(early) as worker, target.written():

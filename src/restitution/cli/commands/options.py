@@ -42,7 +42,9 @@ TimeLimit = Annotated[float, typer.Option(metavar="SECONDS", help="For each file
 Mistake = Annotated[
     str | None,
     typer.Option(
-        "--as", metavar="ID", help="In the world of a mistake; restitution mistakes lists them."
+        "--as",
+        metavar="ID",
+        help="In the world of a mistake, by id or title; restitution mistakes lists them.",
     ),
 ]
 _F = TypeVar("_F", bound=StrEnum)

@@ -127,7 +127,7 @@ def play(
         output = f"{stem}-motion.html"
     if mistake is not None:
         with refusing():
-            solving.require_mistake(mistake)
+            mistake = solving.require_mistake(mistake)
     if show and output == "-":
         raise typer.BadParameter("a page that is opened needs a file", param_hint="--open")
     with interruptible(), worker_of(context.obj) as worker:

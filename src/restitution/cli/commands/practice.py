@@ -111,7 +111,11 @@ def _complete_mistake(incomplete: str) -> list[str]:
 def mistakes(
     name: Annotated[
         str | None,
-        typer.Argument(metavar="[ID]", help="Tell of this one.", autocompletion=_complete_mistake),
+        typer.Argument(
+            metavar="[ID]",
+            help="Tell of this one, by id or title.",
+            autocompletion=_complete_mistake,
+        ),
     ] = None,
 ) -> None:
     """List the mistakes, or tell of one."""

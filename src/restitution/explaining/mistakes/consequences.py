@@ -16,7 +16,12 @@ from restitution.exact import same
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.mistakes.alteration import Alteration
 from restitution.explaining.mistakes.altered import AlteredProblem, altered
-from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, VariantAt, misconception
+from restitution.explaining.mistakes.misconceptions import (
+    MISCONCEPTIONS,
+    VariantAt,
+    misconception,
+    mistake_id,
+)
 from restitution.expression.enclosed import UndefinedError
 from restitution.problem import Problem
 from restitution.records import dataclass
@@ -265,6 +270,7 @@ def solve_as(problem: Problem, mistake: str, time_limit: float | None = None) ->
     UnsupportedError, with the reason, for a mistake without a world, or that changes nothing here.
     """
     misconception(mistake)
+    mistake = mistake_id(mistake)
     return first_world(solve(problem, time_limit), mistake, time_limit).solution
 
 

@@ -12,6 +12,7 @@ from restitution.explaining.mistakes.misconceptions import (
     SLIPS,
     Misconception,
     misconception,
+    mistake_id,
 )
 
 _WORLDS = {
@@ -43,7 +44,11 @@ def _beside(name: str, text: str, room: int, columns: int) -> list[str]:
 
 
 def about_mistake(name: str, columns: int = 80) -> str:
-    """One misconception, or one variant of it. Raises StatementError for an unknown id."""
+    """One misconception, or one variant of it, by its id or title.
+
+    Raises StatementError for one that is not there.
+    """
+    name = mistake_id(name)
     if name in SLIPS:
         return f"{name}: {SLIPS[name].sentence} It is a slip, and has no world of its own.\n"
     about = misconception(name)

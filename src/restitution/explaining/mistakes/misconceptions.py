@@ -446,18 +446,42 @@ SLIPS: Mapping[str, Slip] = {
 }
 
 
-def misconception(name: str) -> Misconception:
-    """A misconception by its id, or that of one of its variants.
+def mistake_id(name: str) -> str:
+    """The id of a misconception, of one of its variants or of a slip, from its id or its title.
 
-    Raises StatementError for an id that is not there, with the nearest one, or with all.
+    Case, spaces and hyphens make no difference. Raises StatementError for one that is not there,
+    with the nearest one, or with all.
     """
+    base, stroke, number = name.partition("/")
+    ids = _ids()
+    plain = _plain(base)
+    if plain not in ids:
+        near = get_close_matches(plain, ids, 1)
+        hint = f"did you mean {ids[near[0]]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"
+        raise StatementError(f"there is no mistake '{base[:40]}': {hint}")
+    return f"{ids[plain]}{stroke}{number}"
+
+
+@cache
+def _ids() -> dict[str, str]:
+    """The ids of all mistakes by ids and titles in small letters without spaces."""
+    records = (*MISCONCEPTIONS.values(), *SLIPS.values())
+    return {_plain(name): record.id for record in records for name in (record.id, record.title)}
+
+
+def _plain(name: str) -> str:
+    return "".join(filter(str.isalnum, name)).lower()
+
+
+def misconception(name: str) -> Misconception:
+    """A misconception by its id or title, or that of one of its variants.
+
+    Raises StatementError for one that is not there.
+    """
+    name = mistake_id(name)
     base = name.partition("/")[0]
     if base in SLIPS:
         raise StatementError(f"'{base}' is a slip, which has no world of its own")
-    if base not in MISCONCEPTIONS:
-        near = get_close_matches(base, MISCONCEPTIONS, 1)
-        hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"
-        raise StatementError(f"there is no mistake '{base[:40]}': {hint}")
     record = MISCONCEPTIONS[base]
     if name != base and all(variant.id != name for variant in record.variants):
         count = len(record.variants)

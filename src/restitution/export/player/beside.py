@@ -17,7 +17,7 @@ from restitution.explaining.mistakes.consequences import (
     altered_world,
     applying,
 )
-from restitution.explaining.mistakes.misconceptions import misconception
+from restitution.explaining.mistakes.misconceptions import misconception, mistake_id
 from restitution.export.player.data import Object, of_motions
 from restitution.motion.parts import PartMotion, motions
 from restitution.motion.pieces import Piece, Struck
@@ -63,6 +63,7 @@ def world_to_play(solution: Solution, mistake: str) -> AlteredWorld:
     One that changes an answer is taken before one that does not. Raises UnsupportedError.
     """
     about = misconception(mistake)
+    mistake = mistake_id(mistake)
     if not any(variant.laws for variant in about.variants if mistake in (variant.id, about.id)):
         these = [
             applied

@@ -24,6 +24,7 @@ SIGNS: Mapping[str, str] = {
 
 _STATES = {"earned": "✓", "lost": "✗", "open": "?"}
 _WIDTH = 80
+_NAMING = 3  # the first level of hints at which a mistake is named
 
 
 def to_text(marking: MarkingContent, width: int = _WIDTH) -> str:
@@ -32,6 +33,8 @@ def to_text(marking: MarkingContent, width: int = _WIDTH) -> str:
     texts: dict[int | None, list[str]] = {}
     for message in marking.messages:
         texts.setdefault(message.line, []).append(message.text)
+    for number, name in _named(marking).items():
+        texts[number].append(f"Mistake: {name}.")
     margin = len(str(max((line.line.number for line in marking.lines), default=1)))
     for line in marking.lines:
         number = line.line.number
@@ -53,6 +56,17 @@ def to_text(marking: MarkingContent, width: int = _WIDTH) -> str:
         start = f"  {point.point.kind:<{longest}} {_STATES[point.state]} "
         rows += _wrapped(f"{point.point.purpose}{where}{why}", start, width)
     return "\n".join(rows)
+
+
+def _named(marking: MarkingContent) -> dict[int, str]:
+    """The mistakes that messages name, each by its id at the first line that has it."""
+    telling = {message.line for message in marking.messages if message.level >= _NAMING}
+    first: dict[str, int] = {}
+    for line in marking.lines:
+        name = None if line.mistake is None else line.mistake.id
+        if name in MISCONCEPTIONS and line.line.number in telling:
+            first.setdefault(name, line.line.number)
+    return {number: name for name, number in first.items()}
 
 
 def _total(marks: Marks) -> str:
@@ -123,7 +137,7 @@ def answer_line(answer: AnswerMark) -> str:
     start = f"{answer.item} = {answer.value}: "
     if answer.right:
         return start + ("right, but give more figures" if answer.accuracy == "coarse" else "right")
-    titles = [MISCONCEPTIONS[name].title for name in answer.as_if]
+    titles = [f"{MISCONCEPTIONS[name].title} ({name})" for name in answer.as_if]
     if not titles:
         return start + "not right"
     return f"{start}not right; it is what comes of: {' or '.join(titles)}"
