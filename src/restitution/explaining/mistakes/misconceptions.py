@@ -465,7 +465,7 @@ def mistake_id(name: str) -> str:
 @cache
 def _ids() -> dict[str, str]:
     """The ids of all mistakes by ids and titles in small letters without spaces."""
-    records = (*MISCONCEPTIONS.values(), *SLIPS.values())
+    records: tuple[Misconception | Slip, ...] = (*MISCONCEPTIONS.values(), *SLIPS.values())
     return {_plain(name): record.id for record in records for name in (record.id, record.title)}
 
 

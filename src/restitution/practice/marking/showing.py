@@ -64,7 +64,7 @@ def _named(marking: MarkingContent) -> dict[int, str]:
     first: dict[str, int] = {}
     for line in marking.lines:
         name = None if line.mistake is None else line.mistake.id
-        if name in MISCONCEPTIONS and line.line.number in telling:
+        if name is not None and name in MISCONCEPTIONS and line.line.number in telling:
             first.setdefault(name, line.line.number)
     return {number: name for name, number in first.items()}
 
