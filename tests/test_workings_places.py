@@ -107,3 +107,24 @@ def test_a_product_that_is_not_zero_is_no_step_to_its_roots() -> None:
     below = text.partition("energy lost is 24 J:")[2]
     assert "24 = 65 − (25k² + 20k + 68)/4 = 48 − 5k − 25k²/4 A1 25k² + 20k − 96 = 0" in below
     assert "(5k − 8)(5k + 12) = 0" in below
+
+
+APART = """
+sphere A: mass 1, velocity 6i + 2j, at (0, 0)
+sphere B: mass 2, at rest, at (0, 0)
+wall W: along j, through (8, 0)
+A hits B: along i, e = 3/4
+B hits W: e = 1/2
+"""
+
+
+def test_a_distance_at_the_time_of_an_event_is_by_the_places_there() -> None:
+    text = printed(APART + "find distance(A, B, at time(2))")
+    assert "position of A at the second impact = (16/7)(−𝐢 + 2𝐣)" in text
+    assert "at time t₂ = √((8 + 16/7)² + (32/7)²)" in text
+    assert "𝐯_B" not in text  # B is at the wall, whatever it does then
+
+
+def test_a_place_after_an_event_rests_on_what_it_needs() -> None:
+    statement = parse(APART + "find distance(A, B, at time(2) + 1)")
+    assert explain(solve(statement), check=True).followed

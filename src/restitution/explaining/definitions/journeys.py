@@ -41,13 +41,12 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
             case Quantity("position", _, AtTime()):
                 yield Link(tree, "=", _place_of(tree, event))
             case Quantity("distance", (a, b), stage):
-                there = [
-                    Quantity("position", (tree,), _stage_of(step, tree, stage))
-                    if isinstance(tree, Name)
-                    else tree
-                    for tree in (a, b)
-                ]
+                there = _ends_of(step, (a, b), stage)
                 places = [_place_of(tree, event) for tree in there]
+                match stage:  # at the time of an event they are where they are at that event
+                    case AtTime(Quantity("time", (), int(number))):
+                        ends = _ends_of(step, (a, b), number)
+                        yield Link(tree, "=", Apply("abs", Binary("-", *ends)))
                 yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
                 if places != there:
                     yield Link(tree, "=", Apply("abs", Binary("-", there[0], there[1])))
@@ -55,6 +54,14 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
                     then = AtTime(Quantity("time", (), stage))
                     ends = [_place_of(Quantity("position", (e,), then), event) for e in (a, b)]
                     yield Link(tree, "=", Apply("abs", Binary("-", *ends)))
+
+
+def _ends_of(step: Step, ends: tuple[Expression, Expression], stage: Any) -> list[Expression]:
+    """The places between which a distance is."""
+    return [
+        Quantity("position", (end,), _stage_of(step, end, stage)) if isinstance(end, Name) else end
+        for end in ends
+    ]
 
 
 def _go_on_from(

@@ -214,6 +214,8 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
                 x, y = (worked_out(scene, body, number, axis) for axis in AXES)
                 return Source(Vector(x.value, y.value), together(x.refs, y.refs))
             return spot(scene, body, number)
+        case Quantity("position", (body,), AtTime(Quantity("time", (), int(number)))):
+            return _end(scene, Quantity("position", (body,), number), number)
         case Quantity("position", (Name(body),), AtTime()):
             return place_then(scene, tree, body)
     raise NotPlannedError("the end of a distance")

@@ -46,8 +46,9 @@ def write_place(
     value: Vector,
 ) -> int:
     """Writes a place, and what it comes to in a line below; returns the number of the last."""
-    own = tree_of(value)
-    number = scene.desk.write(move, refs, chain(quantity, (tree, None)))
+    own, relation = tree_of(value), chain(quantity, (tree, None))
+    needed = scene.judge.needed(move, refs, relation)
+    number = scene.desk.write(move, refs if needed is None else needed, relation)
     if own != tree:
         number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
     return number
