@@ -216,6 +216,21 @@ find e
 """,
         ("tan(α/2) = sin α/(1 + cos α) = (4/5)/(1 + ⅗) = ½", "½ = 4e/3", "e = ⅜"),
     ),
+    "half of an angle that has a tangent, by a deflection": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = 3, deflection(P) = 3/2 alpha
+find e
+""",
+        (
+            "tan(α/2) = sin α/(1 + cos α) = (3√10/10)/(1 + √10/10)",
+            "= (√10 − 1)/3",
+            "tan(α/2) = eu sin α/(u cos α) = e tan α",
+            "(√10 − 1)/3 = 3e",
+        ),
+    ),
     "a component of an impulse": (
         """
 wall W: along 3i + 4j

@@ -282,7 +282,7 @@ def _write_half(scene: Angles, letter: Letter, half: Expression) -> None:
     symbol = scene.model.unknowns.letter(letter.name)
     ratios = {own: Apply(own, letter) for own in ("sin", "cos")}
     sources = {own: scene.put(getattr(sp, own)(symbol)) for own in ratios}
-    if any(not refs or not value.is_Rational for value, refs in sources.values()):
+    if any(not refs or not (value**2).is_Rational for value, refs in sources.values()):
         return
     numbers = {own: tree_of(value) for own, (value, _) in sources.items()}
     by_letter, by_number = (

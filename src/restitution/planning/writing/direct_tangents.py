@@ -129,7 +129,9 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
             shorter = next(part.line for part in parts if part.number == other.number)
             lines += [shorter] if shorter.number == other.number else []
         else:
-            lines.append(replace(other, premises=premises))
+            again = line.number in other.premises and _closes_with(other, value)
+            relation = chain(again, (_cancelled(value), None)) if again else other.relation
+            lines.append(replace(other, premises=premises, relation=relation))
     for part in parts:
         once_needed(lines, derivation, part)
     whole = replace(derivation, lines=tuple(lines))
@@ -138,6 +140,18 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
     touched |= set() if known is None else {known.number}
     touched |= {user.number for user in _users(derivation, {part.number for part in parts})}
     return whole if all(read.accepts(read.lines[n]) for n in touched) else None  # type: ignore[index]
+
+
+def _closes_with(line: Line, value: Expression) -> Expression | None:
+    """The tangent that a line sets equal to a quotient in which u is not cancelled yet."""
+    match line.move.id, line.relation:
+        case "put", Relation(((Link(left, "=", right),),)) if right == value:
+            return left
+    return None
+
+
+def _cancelled(quotient: Expression) -> Expression:
+    return tree_of(tidy(cancelled(one_fraction(in_letters(quotient)))))
 
 
 def once_needed(lines: list[Line], derivation: Derivation, part: PutIn) -> None:

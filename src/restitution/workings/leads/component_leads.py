@@ -192,7 +192,7 @@ class ComponentLeads(LinesAround):
             parallel = fact is not None and are_parallel(along, fact.relation.only[-1].right)
             name: SentenceId = "resolved.products-along" if parallel else "resolved.products-wall"
             return say(name, wall=event.bodies[1], **slots)
-        fact = self._derivation.fact(f"axis {event.number}")
+        fact = self._derivation.fact(" ".join(("axis", str(event.number))))
         if fact is not None and are_perpendicular(along, fact.relation.only[-1].right):
             return say("resolved.products-across", **slots)
         return say("resolved.products-before", **slots)
