@@ -44,6 +44,13 @@ SAYS = {
         ["= 90° + arctan(8/15) + arctan(15/8) = 180° (as required)"],
         ["≈", "not written out"],
     ),
+    # tan β is eu sin α/(eu cos α): the path is parallel to the first one.
+    "an angle to the first wall after the second, that is to be shown": (
+        CORNER.format(velocity="u at alpha to X", e="e", f="e")
+        + "given e > 0\nlet beta = angle(velocity(P), X)\nshow beta = alpha",
+        ["tan β = eu sin α/(eu cos α) = tan α β = α (as required)"],
+        ["meet at", "not written out"],
+    ),
     # v = −(2/5)u: no scalar product is needed.
     "an angle between opposite velocities": (
         CORNER.format(velocity="-5i - 9j", e="2/5", f="2/5")

@@ -74,13 +74,19 @@ def by_the_wall_before(
     wall: str,
     angle_line: Callable[[Scene, Quantity], int],
 ) -> Source | None:
-    """The angle to the next wall by that to the wall before, which is worked out first."""
+    """The angle to the next wall by that to the wall before, which is worked out first.
+
+    None at right angles to it: components are along both walls.
+    """
     frame = scene.model.frames.get(stage)
     walls = [None if frame is None else frame.wall, wall]
     turns = [turn_of_wall(scene, name) for name in walls if name is not None]
     if frame is None or frame.wall == wall or len(turns) < 2:
         return None
-    if frame.axis is None or not all(isinstance(turn, Degrees) for turn in turns):
+    degrees = [turn.value for turn in turns if isinstance(turn, Degrees)]
+    if frame.axis is None or len(degrees) < len(turns):
+        return None
+    if abs(degrees[0] - degrees[1]) == RIGHT_ANGLE.value:
         return None
     mark = scene.desk.mark()
     velocity = Quantity("velocity", (Name(body),), stage)

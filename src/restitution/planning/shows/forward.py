@@ -27,7 +27,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.angles.expressions import is_angle_sum, write_expression
-from restitution.planning.angles.turning import angle_line, is_angle
+from restitution.planning.angles.turning import angle_line, is_angle, quantity_of
 from restitution.planning.formulas.next_walls import speed_kept
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.angles_at_ends import write_at_ends
@@ -83,7 +83,7 @@ def write_show(
         _of_subject(scene, solver, item, now, name)
         return
     line, relation = (
-        _in_degrees(scene, solver, item, now)
+        _angle_shown(scene, solver, item, now)
         or _speed_kept(scene, item, now)
         or _written(scene, solver, item, now)
     )
@@ -107,20 +107,25 @@ def _forget_turned(scene: Scene, relation: Relation) -> None:
             scene.desk.forget_value(letter, source)
 
 
-def _in_degrees(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
-    """The line of a direction, or a sum of angles, that is to be shown as a number of degrees."""
+def _angle_shown(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
+    """The line of an angle that is to be shown: as degrees, or as a letter of the data."""
     match item.relation:
         case Compare((Binary() as shown, Degrees()), ("=",), None) if is_angle_sum(shown):
             (link,) = links_of(scene.problem, item.relation, now)
         case Compare((Quantity("direction", (Name(),)), Degrees()), ("=",), None):
             (link,) = links_of(scene.problem, item.relation, now)
+        case Compare((shown, Letter()), ("=",), None) if is_angle(scene, shown):
+            (link,) = links_of(scene.problem, item.relation, now)
         case _:
             return None
     standing = solver.mark()
     try:
-        for quantity in outermost_quantities(link.left):
+        for quantity in outermost_quantities(scene.opened(link).left):
             determine(scene, solver, quantity)
-        line, _ = write_expression(scene, link.left)
+        if is_angle(scene, link.left):
+            line = angle_line(scene, quantity_of(scene, link.left))
+        else:
+            line, _ = write_expression(scene, link.left)
     except NotPlannedError:
         solver.back(standing)
         return None
