@@ -188,3 +188,37 @@ find e"""
     assert [line["verdict"] for line in found["lines"]] == ["false", "follows", "follows"]
     other = marked(statement, None, "after: 6e i + 8j", "36e² + 60 = 49")
     assert other["lines"][1]["verdict"] == "false"
+
+
+HEAVIER = """
+sphere A: mass m, velocity u at 30°
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/5
+find speed(A), speed(B)
+"""
+SHOWN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+show tan(direction(A)) = 2 tan(alpha)/(1 - e)
+"""
+
+
+def test_the_speed_of_a_sphere_that_was_at_rest_is_its_component() -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    lines = ("√3/2 u = v + 2w", "w - v = √3/10 u", "w = √3u/5", "v = √3u/10")
+    wrong = (*lines, "speed of A = √3u/10", "speed of B = √3u/5")
+    assert states(marked(HEAVIER, None, *wrong, **letters))[-1] == "A1 earned"
+
+
+def test_a_result_at_the_end_of_a_chain_over_several_lines_is_printed() -> None:
+    letters = {
+        "v": "along(velocity(A), i)",
+        "w": "along(velocity(B), i)",
+        "θ": "direction(A)",
+    }
+    lines = ("v + w = ucosα", "w - v = eucosα", "v = 1/2(1 - e)ucosα", "tanθ = usinα/v")
+    more = ("= 2usinα/((1 - e)ucosα)", "= 2tanα/(1 - e)")
+    assert states(marked(SHOWN, None, *lines, *more, **letters))[-1] == "A1* earned"
+    wrong = (more[0], "= 2tanα/(1 + e)")
+    assert states(marked(SHOWN, None, *lines[:3], *wrong, **letters))[-1] == "A1* lost"

@@ -499,7 +499,7 @@ def test_an_impulse_without_its_mass_has_no_method() -> None:
     own = states(BLOW, None, "v = 3i - j + 4i + 8j = 7i + 7j", "speed = 7√2 = 9.90")
     assert own == [f"{x} -" for x in ("M1 impulse", "A1 impulse", "A1 answer")] + [
         "M1 speed +",
-        "A1ft speed -",
+        "A1ft speed +",
     ]
 
 

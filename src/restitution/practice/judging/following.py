@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_component,
     is_function,
     letters,
     unsigned,
@@ -32,6 +33,7 @@ from restitution.practice.judgement import Accuracy, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
 from restitution.practice.judging.assembling import assembled_from
 from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
+from restitution.practice.judging.claimed import meant_by
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import (
     Entry,
@@ -507,13 +509,30 @@ class Following(OwnValues):
     def _is_grounded(self, entry: Entry) -> bool:
         """Whether a true line follows from true lines and laws that are not broken, or is a law.
 
-        An equation that is a law, though a mistake above may stand in its place, needs no other.
+        An equation that is a law, though a mistake above may stand in its place, needs no other,
+        nor does the speed of a body of which a line above gives the component as large.
         """
         firm = [other for other in self.entries if other.number not in self._groundless]
         if self._support.is_grounded(entry, firm, self._forgone()):
             return True
+        if self._is_known_component(entry, firm):
+            return True
         uses = () if entry.is_value else self.uses_of_entry(entry)[:1]
         return any(use.altered is None and use.principle in _OF_SPHERES for use in uses)
+
+    def _is_known_component(self, entry: Entry, above: Sequence[Entry]) -> bool:
+        """Whether a speed has the value of a component of the same velocity, given above."""
+        speed = meant_by(entry)
+        if not isinstance(speed, Quantity) or speed.kind != "speed":
+            return False
+        velocity = replace(speed, kind="velocity")
+        return any(
+            other.right
+            and other.claim.right == entry.claim.right
+            and is_component(own := unsigned(meant_by(other)))
+            and own.arguments[0] == velocity
+            for other in above
+        )
 
     def _impossible(self, claim: Claim) -> str | None:
         """The remark on a coefficient, a sine or a cosine that cannot have its value."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import takewhile
 
 from restitution.explaining.lines.derivation import FLIPPED
@@ -257,6 +258,16 @@ class Grounds:
         """Whether the tangent of the angle after is given as that of the deflection: tan d = 3."""
         named = line.mistake is not None and line.mistake.id == "deflection-is-after"
         return named and any(is_function(x.readings[0].left, "tan") for x in line.line.links)
+
+    def _joined(self, line: JudgedLine) -> JudgedLine:
+        """A line that begins with a sign of equality, behind the chain above that it goes on."""
+        above = self._line(line.line.number - 1)
+        goes_on = line.line.text.lstrip().startswith("=") and bool(line.line.links)
+        if not goes_on or above is None or above.verdict not in SOUND:
+            return line
+        above = self._joined(above)
+        typed = replace(line.line, links=(*above.line.links, *line.line.links))
+        return replace(line, line=typed, meant={**above.meant, **line.meant})
 
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more.

@@ -359,7 +359,8 @@ class SinglePoints(Grounds):
         """A value: true, or his own where the point follows through; the last one given counts."""
         last: PointMark | None = None
         for place, line in enumerate(self.lines, 1):
-            match = self.values.matches(point, line) or self.values.completes(
+            whole = self._joined(line) if point.shown else line
+            match = self.values.matches(point, whole) or self.values.completes(
                 point, self.lines[:place]
             )
             if line.verdict == "false" and self.values.is_bound(point, line):
