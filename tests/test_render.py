@@ -605,3 +605,10 @@ def test_a_long_sum_with_roots_of_roots_is_a_decimal_alone() -> None:
     short = (1 + root(5 - 2 * root(3))) / 4
     assert to_text(display(long)) == "4.63"
     assert to_text(display(short)) == "¼ + √(5 − 2√3)/4 = 0.560"
+
+
+def test_a_relation_in_words_stands_upright():
+    relation_ = layouts.Relation((layouts.Bold("v"), layouts.Bold("i")), ("is perpendicular to",))
+    assert to_latex(relation_) == r"\mathbf{v} \text{ is perpendicular to } \mathbf{i}"
+    page = to_typst(relation_)
+    assert typst.compile(page.encode(), ignore_system_fonts=True).startswith(b"%PDF")

@@ -123,10 +123,15 @@ def to_latex(layout: Layout) -> str:
         case Relation(operands, signs):
             parts = [to_latex(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
-                parts += [SIGNS.get(sign, sign), to_latex(operand)]
+                parts += [relation_sign(sign), to_latex(operand)]
             return " ".join(parts)
         case Phrase(items, separator):
             return _phrase(items, separator)
+
+
+def relation_sign(sign: str) -> str:
+    """A sign between two sides; words such as ``is parallel to`` stand upright and apart."""
+    return rf"\text{{ {words(sign)} }}" if sign[0].isalpha() else SIGNS.get(sign, sign)
 
 
 def words(text: str) -> str:

@@ -99,7 +99,8 @@ def mathematics(layout: Layout) -> str:
         case Relation(operands, signs):
             parts = [mathematics(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
-                parts += [sign, mathematics(operand)]
+                words = literal(f" {sign} ") if sign[0].isalpha() else sign
+                parts += [words, mathematics(operand)]
             return " ".join(parts)
         case Phrase(items, separator):
             # Without spaces around it: beside words they would be printed too.

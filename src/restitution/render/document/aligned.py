@@ -17,7 +17,7 @@ from restitution.render.document import (
     Typed,
     pieces,
 )
-from restitution.render.latex import SIGNS, to_latex
+from restitution.render.latex import relation_sign, to_latex
 from restitution.render.latex import words as plain
 from restitution.render.layout import Layout, Sum
 from restitution.render.text import to_text as one_line
@@ -47,10 +47,10 @@ def lines(chain: Chain, mark: str) -> list[str]:
         return [f"&{left}{note}{mark}"]
     parts = list(zip(chain.signs, chain.operands[1:], strict=True))
     room = sum(columns(operand) + 3 for operand in chain.operands if operand is not None)
-    terms = [f"{SIGNS.get(sign, sign)} {_operand(operand)}" for sign, operand in parts]
+    terms = [f"{relation_sign(sign)} {_operand(operand)}" for sign, operand in parts]
     if chain.answer:
         sign, operand = parts[-1]
-        terms[-1] = rf"{SIGNS.get(sign, sign)} \underline{{\underline{{{_operand(operand)}}}}}"
+        terms[-1] = rf"{relation_sign(sign)} \underline{{\underline{{{_operand(operand)}}}}}"
     rows = [" ".join(terms)]
     if room > LINE:
         rows = [
@@ -80,7 +80,7 @@ def _broken(sign: str, operand: Layout | None, term: str, room: int) -> list[str
         else:
             groups[-1].append(own)
     first, *others = groups
-    rows = [f"{SIGNS.get(sign, sign)} {_operand(Sum(tuple(first)))}"]
+    rows = [f"{relation_sign(sign)} {_operand(Sum(tuple(first)))}"]
     for (sign_of_rest, middle), *rest in others:
         rows.append(rf"\qquad {{}}{sign_of_rest} {_operand(Sum((('+', middle), *rest)))}")
     return rows
