@@ -206,6 +206,16 @@ BROKEN = {
         "given energy(A, before) - energy(A) = 16% of energy(A, before)"
     ),
     "given A loses 6 J of kinetic energy": "given energy(A, before) - energy(A) = 6",
+    "given B rebounds with speed 2.4": "given speed(B) = 2.4",
+    "given sphere B moves off with a speed of 2 after the collision": "given speed(B) = 2",
+    "B leaves with speed sqrt(5)/2": "given speed(B) = sqrt(5)/2",
+    "given B has speed 2": "given speed(B) = 2",
+    "given the kinetic energy is halved": "given energy_lost = 1/2 energy(0)",
+    "given the kinetic energy of A is halved": "given energy(A) = 1/2 energy(A, before)",
+    "given A's speed is doubled": "given speed(A) = 2 speed(A, before)",
+    "given the speed of A is unchanged": "given speed(A) = speed(A, before)",
+    "find range of e such that speed(B) > 1": "given speed(B) > 1\nfind range of e",
+    "A hits B: along 40° from -j": "A hits B: along 1 at 40° from -j",
     "given A loses half of its speed": "given speed(A) = 1/2 speed(A, before)",
     "given A loses 1/4 of its kinetic energy": (
         "given energy(A, before) - energy(A) = 1/4 energy(A, before)"

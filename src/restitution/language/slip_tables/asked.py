@@ -325,11 +325,6 @@ ASKED: tuple[Slip, ...] = (
         rf"(?P<x>(?P<a>{NAME})\s+(?:is\s+moving|moves|is)\s+faster\s+than\s+(?P<b>{NAME}))",
         meant("speed({a}) > speed({b})"),
     ),
-    (
-        "given show",
-        rf"(?P<x>(?:the\s+)?speed\s+of\s+{BODY}\s+is\s+halved)\b",
-        meant("speed({body}) = 1/2 speed({body}, before)"),
-    ),
     ("find", rf"(?P<x>(?:the\s+)?{RESTITUTION})", meant("e")),
     (
         "given show",
@@ -536,7 +531,7 @@ ASKED: tuple[Slip, ...] = (
         "find",
         (
             r"^(?P<all>\s*(?P<asked>find\b.*?)\s*,?\s*"
-            r"\b(?P<x>when|if|where|given(?:\s+that)?|assuming|for\s+which"
+            r"\b(?P<x>when|if|where|given(?:\s+that)?|assuming|for\s+which|such\s+that"
             r"|(?:at|for|with)(?=[^(),]*[<>=≤≥][^()]*$))\s+(?P<fact>\S.*?)"
             r"(?P<terms>(?:\s+in\s+terms\s+of\s.*)?))\s*$"
         ),

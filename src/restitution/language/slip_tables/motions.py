@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from restitution.language.slip_tables.patterns import (
+    AFTER,
     ASKING_LINES,
     BODY,
+    KINETIC,
     NAME,
     SIZE,
     Cure,
@@ -22,10 +24,56 @@ _MAKES = (
     r"makes\s+(?:an?\s+(?:acute\s+)?angle\s+(?:of\s+)?)?(?P<a>[^\s,][^,]*?)"
     r"(?:\s+(?:with|to))"
 )
+_GOES = (
+    r"(?:(?:now|then)\s+)?(?:(?:is\s+)?(?:moves?|moving|travels?|travelling|goes|going)"
+    r"(?:\s+(?:off|away|back))?|(?:rebounds|bounces(?:\s+(?:off|back))?|leaves)"
+    rf"(?:\s+(?:from\s+|off\s+)?(?:the\s+)?(?:wall\s+)?{NAME})?)"
+)
+_VALUE = r"(?:[\d(√]|sqrt\b|[a-z](?![a-z]))(?:(?!\s+(?:at|to|in|along|and)\b)[^,])*?"
+_TIMES = {
+    "halved": "1/2 ",
+    "doubled": "2 ",
+    "trebled": "3 ",
+    "tripled": "3 ",
+    "quadrupled": "4 ",
+    "unchanged": "",
+    r"reduced\s+(?:by|to)\s+(?:a\s+)?half": "1/2 ",
+}
 _PATH = r"(?:the\s+)?(?:path|direction(?:\s+of\s+motion)?|velocity)\s+of\s+"
 _ITEM = r"(?:\w+\([^()]*\)|\w+)"
 
 MOTIONS: tuple[Slip, ...] = (
+    *(
+        (
+            lines,
+            (
+                rf"{start}(?P<x>{BODY}\s+(?:{_GOES}\s+(?:with|at)\s+(?:a\s+)?speed|has\s+(?:a\s+)?speed)"
+                rf"\s+(?:of\s+|=\s*)?(?P<v>{_VALUE}){AFTER}?)\s*$"
+            ),
+            meant(f"{fact}speed({{body}}) = {{v}}"),
+        )
+        for lines, start, fact in (("given show", "", ""), ("other", r"^\s*", "given "))
+    ),
+    *(
+        (
+            "given show",
+            rf"(?P<x>(?:{of}\s+of\s+{BODY}|(?P<own>{NAME})['’]s\s+{of})\s+is\s+{words}{AFTER}?)\s*$",
+            meant(f"{quantity}({{body}}{{own}}) = {times}{quantity}({{body}}{{own}}, before)"),
+        )
+        for quantity, of in (
+            ("speed", r"(?:the\s+)?speed"),
+            ("energy", rf"(?:the\s+)?{KINETIC}"),
+        )
+        for words, times in _TIMES.items()
+    ),
+    (
+        "given show",
+        (
+            rf"(?P<x>(?:the\s+)?(?:total\s+)?{KINETIC}\s+is\s+"
+            rf"(?:halved|reduced\s+(?:by|to)\s+(?:a\s+)?half){AFTER}?)\s*$"
+        ),
+        meant("energy_lost = 1/2 energy(0)"),
+    ),
     *(
         (
             lines,
@@ -121,6 +169,11 @@ MOTIONS: tuple[Slip, ...] = (
         "event",
         r"\balong\s+[^\s,]+(?P<x>\s+(?:to|from)\s+(?:the\s+)?i)\b",
         Cure("leave out '{x}': a direction is told by its angle from i", ""),
+    ),
+    (
+        "event",
+        r"\balong\s+(?P<x>(?P<a>[^\s,]+)\s+from\s+(?:the\s+)?(?P<d>-i|-?j))\b",
+        meant("1 at {a} from {d}"),
     ),
     ("other", r"^\s*(?P<x>[Ss]tate|[Ww]rite|[Ee]xpress)\b", meant("find")),
 )
