@@ -111,3 +111,15 @@ def test_a_coefficient_in_letters_is_worked_out() -> None:
         "e = (4 + 3k)/k > 1 is impossible, as a coefficient of restitution is at most 1." in shown
     )
     assert "So no value of e is possible: what is given cannot occur." in shown
+
+
+def test_an_impulse_square_to_the_approach_is_a_clash() -> None:
+    """Along the change of velocity −2i + 2j the spheres would not come nearer to each other."""
+    solution = solve(
+        parse(
+            "sphere A: mass 1, velocity 4i + j\nsphere B: mass 2, velocity i - 2j\nA hits B\n"
+            "given velocity(A) = 2i + 3j\nfind velocity(B), e\n"
+        )
+    )
+    (part,) = solution.parts.values()
+    assert {type(item.error).__name__ for item in part.items} == {"ContradictionError"}

@@ -306,6 +306,8 @@ def _ranked(
 
 def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) -> str | None:
     """Which of the letters in left-over facts they are taken to fix."""
+    # What is to be eliminated is fixed by no fact: it stays where these contradict each other.
+    present = frozenset(name for name in present if not name.startswith("_"))
     candidates = present - chosen - setting.protected
     candidates = candidates - setting.spared or candidates
     if not candidates:
