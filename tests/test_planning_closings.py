@@ -216,6 +216,15 @@ find e
 """,
         ("tan(α/2) = sin α/(1 + cos α) = (4/5)/(1 + ⅗) = ½", "½ = 4e/3", "e = ⅜"),
     ),
+    "a speed along the line of centres, in either sense": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+find speed(A)
+""",
+        ("v = (2 − k)u/(2(1 + k))", "speed of A = |(2 − k)u/(2(1 + k))| = u|k − 2|/(2(1 + k))"),
+    ),
     "half of an angle that has a tangent, by a deflection": (
         """
 wall W: along i

@@ -387,6 +387,10 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
             one = of_one_component(scene, move, quantity, base, refs)
             if one is not None:
                 return Formula(move, itself, quantity, base, without_bars(scene.model, size), one)
+        case Binary("^", base, _) if quantity in scene.asked_alone and size.has(sp.Abs):
+            bars = Apply("abs", base)  # which way it goes is open
+            if scene.judge.follows(move, refs, chain(quantity, (bars, None))):
+                right = bars
     own = Formula(move, itself, quantity, right, without_bars(scene.model, size), refs)
     return _by_its_square(scene, own) or own
 
