@@ -454,3 +454,23 @@ def test_an_inequality_that_cannot_hold_is_put_in(
     said = working(f"{spheres}A hits B: along i\ngiven energy_lost > {lost} m u^2\nfind range of e")
     assert line in said
     assert "contradict" not in said
+
+
+ALONG = """
+wall F: along 3i + 4j
+sphere Q: velocity 6i + 8j
+Q hits F: e = 1/2
+find speed(Q)
+find deflection(Q)
+"""
+
+
+def test_an_impact_that_the_data_exclude_is_refused_at_its_line_and_without_a_mark() -> None:
+    errors = {str(item.error) for _, item in solve(parse(ALONG)).items()}
+    assert errors == {"line 4, column 1: Q is moving away from F, or along it"}
+    assert working(ALONG).endswith("Q is moving away from F, or along it.")
+
+
+def test_one_that_a_letter_excludes_is_not_refused_in_itself() -> None:
+    text = ALONG.replace("6i + 8j", "u i + 8j").replace("find speed(Q)\n", "")
+    assert solve(parse(text)).parts[None].items[0].error is None

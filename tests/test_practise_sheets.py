@@ -8,11 +8,12 @@ import pytest
 from commands import run
 
 import restitution as r
+from restitution.export import sheet
 from restitution.export.mark_scheme import to_table
 from restitution.practice.marking import mark_scheme as schemes
 from restitution.practice.marking.mark_scheme import mark_scheme
 from restitution.practice.questions.varying import variant
-from restitution.render.document import Document, html, typst
+from restitution.render.document import Document, Numbered, Room, html, typst
 from restitution.render.document.text import to_text
 from restitution.workings import explain
 
@@ -136,3 +137,46 @@ def test_a_version_has_values_as_plain_as_the_question(seed):
     (part,) = r.solve(varied).parts.values()
     for item in part.items:
         assert item.distinct[0].value.is_Rational and item.distinct[0].value.q <= 15
+
+
+def test_notes_speak_of_angles_only_where_the_question_has_one(notes):
+    text = """
+sphere A: mass 2, velocity 5i + 2j
+sphere B: mass 3, velocity -i + 4j
+A hits B: along i, e = 1/3
+find velocity(A)
+"""
+    own = " ".join(notes(text))
+    assert "M0: " in own and "sine and cosine" not in own and "wrong line" not in own
+    own = " ".join(notes(text.replace("5i + 2j", "5 at 30°")))
+    assert "sine and cosine" in own
+
+
+def test_a_version_without_a_question_says_so_and_keeps_the_numbers(tmp_path):
+    wrong, right = tmp_path / "wrong.impact", tmp_path / "right.impact"
+    wrong.write_text(STATEMENT.replace("find velocity(P)", "find v"), encoding="utf-8")
+    right.write_text(STATEMENT, encoding="utf-8")
+    output = tmp_path / "test.html"
+    _, _, messages = run("sheet", wrong, right, "-o", output, "--variants", "1", "--seed", "7")
+    assert messages.startswith("version 1: question 1 left out: ")
+    entry = sheet.Entry(None, (), Room(0))
+    assert sheet.to_document([None, entry], None, sheet.Options()).blocks == (Numbered(2, "", ()),)
+
+
+@pytest.mark.parametrize("seed", [2, 3, 4])
+def test_a_given_speed_without_a_root_has_none_in_a_version(seed):
+    text = """
+wall F: along 4i + 3j
+sphere Q: mass 3, velocity i + 7j
+Q hits F
+given speed(Q) = 5
+find e
+"""
+    assert "sqrt" not in variant(r.parse(text), seed).statement
+
+
+def test_a_mass_of_one_m_is_m():
+    text = AT_AN_ANGLE.replace("mass 5", "mass 2m").replace("mass 1", "mass 3m")
+    drawn = [variant(r.parse(text), seed).statement for seed in range(1, 7)]
+    assert any("mass m," in each for each in drawn)
+    assert not any("1m" in each or "1 m" in each for each in drawn)

@@ -136,12 +136,17 @@ def _inset(blocks: Iterable[Block]) -> Block:
     return Inset(Document("", (Together(tuple(blocks)),), kind="question"))
 
 
-def to_document(entries: Sequence[Entry], title: str | None, options: Options) -> Document:
-    """The sheet: all questions, and behind them all workings or mark schemes."""
-    named = title or (entries[0].title if len(entries) == 1 else None) or DEFAULT_TITLE
+def to_document(entries: Sequence[Entry | None], title: str | None, options: Options) -> Document:
+    """The sheet: all questions, and behind them all workings or mark schemes.
+
+    None stands for a question that is left out: the others keep their numbers.
+    """
+    numbered = [(number, item) for number, item in enumerate(entries, 1) if item is not None]
+    alone = numbered[0][1].title if len(entries) == 1 and numbered else None
+    named = title or alone or DEFAULT_TITLE
     close = options.scheme and options.space is None  # nobody writes on it
     blocks: list[Block] = []
-    for number, item in enumerate(entries, 1):
+    for number, item in numbered:
         asked = item.question
         if close:
             asked = tuple(block for block in asked if not isinstance(block, Room))
@@ -149,15 +154,15 @@ def to_document(entries: Sequence[Entry], title: str | None, options: Options) -
         # What is left of the last page is room enough, whatever it is.
         blocks += [] if close or number == len(entries) else [item.room]
     behind = [
-        ("Solutions", options.solutions, [item.working for item in entries]),
-        ("Mark scheme", options.scheme, [item.scheme for item in entries]),
+        ("Solutions", options.solutions, [item.working for _, item in numbered]),
+        ("Mark scheme", options.scheme, [item.scheme for _, item in numbered]),
     ]
     for heading, wanted, contents in behind:
         if wanted:
             blocks += [NewPage(), Heading(heading, 1)]
             blocks += [
                 _numbered(number, item, content, named, len(entries))
-                for number, (item, content) in enumerate(zip(entries, contents, strict=True), 1)
+                for (number, item), content in zip(numbered, contents, strict=True)
             ]
     head = "" if options.solutions or options.scheme else NAME
     return Document(named, tuple(blocks), head, "sheet")

@@ -129,30 +129,34 @@ def sheet(
     with interruptible(), worker_of(context.obj) as worker:
         from restitution.export.job import Setting
 
-        def entries_of(options: Options, version: int | None) -> list[Entry]:
+        def entries_of(options: Options, number: int | None = None) -> list[Entry | None]:
+            """The questions; those of a version keep their numbers where one is left out."""
             nonlocal worst
-            entries = []
+            entries: list[Entry | None] = []
+            version = None if number is None else seed + number - 1
             shown = progress(files) if len(files) > 1 else silent
             with shown(output == "-") as progressing:
-                for file in progressing(files):
+                for place, file in enumerate(progressing(files), 1):
                     task = Setting(options, version)
                     done = answer(worker, file, task, limit(time_limit))
                     worst = max(worst, done.status)
-                    if done.content is not None:
+                    if done.content is not None or number is not None:
                         entries.append(done.content)
-                    for message in done.messages:
+                    lead = f"version {number}: question {place} left out: "
+                    for line, message in enumerate(done.messages):
+                        left_out = number is not None and done.content is None and line == 0
                         if version in (None, seed) or done.status:
-                            say(message)
+                            say(lead + message if left_out else message)
             return entries
 
         if variants is None:
-            entries = entries_of(options, None)
+            entries = entries_of(options)
             if not entries:
                 raise typer.Exit(worst)
             _write_sheet(output, entries, title, options, form, files)
         for number in range(1, (variants or 0) + 1):
-            entries = entries_of(replace(options, scheme=True), seed + number - 1)
-            if not entries:
+            entries = entries_of(replace(options, scheme=True), number)
+            if not any(entries):
                 raise typer.Exit(worst)
             named = f"{title or DEFAULT_TITLE}, version {number}"
             plain = replace(options, scheme=False)
@@ -184,7 +188,7 @@ def _numbered(output: str, ending: str) -> str:
 
 def _write_sheet(
     output: str,
-    entries: list[Entry],
+    entries: list[Entry | None],
     title: str | None,
     options: Options,
     form: SheetFormat,

@@ -244,8 +244,9 @@ def marks_of_note(note: Note, of_the_end: Marks = ()) -> Marks:
     """What a note earns: a counter-example a method, and that the claim is not true the answer.
 
     Of an equation it is enough that a line above says another value. Where there is no answer, the
-    conclusion has the mark ``of_the_end``, which a value would have, or else one of its own. Steps
-    that are not written out have no line at which marks could stand.
+    conclusion has the mark ``of_the_end``, which a value would have, or else one of its own; what
+    the data show without a line has none. Steps that are not written out have no line at which
+    marks could stand.
     """
     equation = note.claim is not None and {e.sign for e in note.claim.options[0]} == {"="}
     if note.kind == "refuted" and note.instance and not equation:
@@ -253,7 +254,8 @@ def marks_of_note(note: Note, of_the_end: Marks = ()) -> Marks:
     if note.kind in CONCLUDING and of_the_end:
         return of_the_end
     concluding = note.kind in CONCLUDING or note.kind in ("standing", "refuted")
-    return (reasoned(Mark("B")),) if concluding else ()
+    at_sight = note.kind == "impossible" and not note.lines and not note.premises
+    return (reasoned(Mark("B")),) if concluding and not at_sight else ()
 
 
 UNWRITTEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))

@@ -10,13 +10,14 @@ from collections.abc import Collection, Iterator, Sequence
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.explaining.lines.angles import TRIGONOMETRIC
 from restitution.explaining.lines.marks import Style
 from restitution.explaining.mistakes.consequences import AlteredWorld, altered_world, applying
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.quantities import ENERGIES, LOSSES
-from restitution.expression.tree import Binary, Letter, Quantity
+from restitution.expression.quantities import ANGLES, ENERGIES, LOSSES
+from restitution.expression.tree import Apply, Binary, Degrees, Letter, Polar, Quantity, walk
 from restitution.practice.marking.scheme import MarkPoint, schemes
-from restitution.problem import Value
+from restitution.problem import Problem, Value, trees
 from restitution.records import dataclass
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
@@ -26,6 +27,7 @@ from restitution.workings import explain
 from restitution.workings.rendering.steps import PartExplanation, Row, Words
 
 _MOST_WRONG = 4
+_OF_ANGLES = frozenset({"sine-cosine", "angle-from-normal"})  # these need an angle in the question
 _LONGEST = 10  # signs of an exact form beside which three figures stand, and not instead
 # Worlds of mistakes that are worked out, and operations in each: so many that a scheme takes a few
 # seconds and is the same on every machine. The clock is for what is not counted.
@@ -141,6 +143,7 @@ def _allowed(point: MarkPoint, solution: Solution) -> Iterator[str]:
         MISCONCEPTIONS[name]
         for name in applying(solution.problem)
         if point.principle in MISCONCEPTIONS[name].kinds
+        and (name not in _OF_ANGLES or _has_angles(solution.problem))
     ]
     keeps = [
         misconception.title
@@ -156,6 +159,17 @@ def _allowed(point: MarkPoint, solution: Solution) -> Iterator[str]:
         yield f"Allow M1 (A0) for: {_listed(keeps)}."
     if loses:
         yield f"M0: {_listed(loses)}."
+
+
+def _has_angles(problem: Problem) -> bool:
+    """Whether an angle, or a ratio of one, stands in a question."""
+    nodes = (node for tree in trees(problem) for node in walk(tree))
+    return any(
+        isinstance(node, Polar | Degrees)
+        or (isinstance(node, Apply) and node.function in TRIGONOMETRIC)
+        or (isinstance(node, Quantity) and node.kind in ANGLES)
+        for node in nodes
+    )
 
 
 def _listed(titles: Sequence[str]) -> str:

@@ -33,7 +33,18 @@ from restitution.expression.tree import (
 )
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.nice import COEFFICIENTS, TRIPLES, ugly_value
-from restitution.problem import Compare, Find, Given, Impact, Problem, Relation, Show, Step, Value
+from restitution.problem import (
+    Compare,
+    Find,
+    Given,
+    Impact,
+    Problem,
+    Relation,
+    Show,
+    Step,
+    Value,
+    trees_of_step,
+)
 from restitution.records import dataclass
 from restitution.solving.equations.solution import ItemResult, Solution
 
@@ -42,6 +53,7 @@ _ANGLES = (30, 45, 60)
 _SCREENED = 300  # draws in which values as plain as those of the original are sought,
 _SOLVED = 10  # of which so many are solved; then the plainest of them is taken,
 _CHOICES = 3  # or the plainest of so many draws, where each takes longer
+_ROOTED = 100  # draws that are passed over for roots in values that are given
 _SAME = 40  # draws that change nothing tell that there is nothing to be changed
 
 
@@ -105,7 +117,10 @@ def variant(problem: Problem, seed: int = 1) -> Variant:
 
 @dataclass(frozen=True)
 class _Drawn:
-    """A draw that is solved. ``beyond`` is by how much it is less plain than the original."""
+    """A draw that is solved. ``beyond`` is by how much it is less plain than the original.
+
+    What is given comes first.
+    """
 
     draw: int
     text: str
@@ -141,7 +156,7 @@ class _Draws:
         from restitution.practice.questions.generate import VERSION
         from restitution.practice.questions.plainness import excess
 
-        unchanged = 0
+        unchanged = rooted = 0
         for draw in range(1, most + 1):
             dice = Dice(f"{VERSION}/like/{self.seed}/{draw}")
             changed = _redrawn(self.problem, dice)
@@ -156,6 +171,10 @@ class _Draws:
                 changed = _consistent(changed, self.problem, self.original, dice)
                 if screened and not self._screen.passes(changed):
                     continue
+                if screened and self._has_new_roots(changed):
+                    rooted += 1
+                    if rooted < _ROOTED:
+                        continue
                 text, solution = _solved(changed, self.original)
             except RestitutionError as error:
                 self.why[error.message] += 1
@@ -163,7 +182,22 @@ class _Draws:
             if self._simple and (ugly := ugly_value(solution)):
                 self.why[f"{ugly} is no simple number"] += 1
                 continue
-            yield _Drawn(draw, text, solution, excess(solution, self.original))
+            beyond = excess(solution, self.original)
+            yield _Drawn(draw, text, solution, (int(self._has_new_roots(changed)), *beyond))
+
+    def _has_new_roots(self, changed: Problem) -> bool:
+        """Whether what is given has roots, and has none in the original."""
+        return _has_roots_given(changed) and not _has_roots_given(self.problem)
+
+
+def _has_roots_given(problem: Problem) -> bool:
+    return any(
+        isinstance(node, Apply) and node.function == "sqrt"
+        for _, step in problem.steps()
+        if isinstance(step, Given)
+        for tree in trees_of_step(step)
+        for node in walk(tree)
+    )
 
 
 def _solved(changed: Problem, original: Solution) -> tuple[str, Solution]:
@@ -339,7 +373,9 @@ def _scaled(tree: Any, draw: Callable[[Fraction], Fraction]) -> Any:
         case Binary("*", left, right):
             if not _numbers(left):
                 return replace(tree, right=_scaled(right, draw))
-            return replace(tree, left=_scaled(left, draw))
+            factor = _scaled(left, draw)
+            one = isinstance(factor, Number) and factor.value == 1
+            return right if one else replace(tree, left=factor)  # m, and not 1m
         case Binary("/", left, right) if not _numbers(right):
             return replace(tree, left=_scaled(left, draw))
         case Negate(operand):

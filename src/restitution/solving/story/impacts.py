@@ -176,6 +176,8 @@ def _impact_with_wall(state: State, number: int, step: Impact) -> Happening:
     u = state.arriving.get((number, name), u)
     closing = state.rational(u.dot(c))
     what = f"{name} is moving away from {wall.name}, or along it"
+    if state.of_statement and not unknown and state.field.is_zero(closing):
+        raise ImpossibleError(what, *line_and_column(step.place))
     _approach(state, (name, wall.name), u, c, closing, unknown, what)
     if time is None and isinstance(shape, Line) and not unknown:
         _nearer(state, number, name, u, c, f"{what}: what {name} met is nearer to it")
