@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -192,7 +193,7 @@ class _Draws:
 
 def _has_roots_given(problem: Problem) -> bool:
     return any(
-        isinstance(node, Apply) and node.function == "sqrt"
+        is_function(node, "sqrt")
         for _, step in problem.steps()
         if isinstance(step, Given)
         for tree in trees_of_step(step)
