@@ -756,14 +756,14 @@ def test_the_command_checks_in_json(tmp_path) -> None:
             "edits": [{"line": 2, "column": 1, "end_line": 2, "end_column": 4, "text": "find"}],
         }
     ]
-    path.write_text("sphere A: mass 2 kg\nfind mass(A)", encoding="utf-8")
+    path.write_text("sphere A: mass 400 g\nfind mass(A)", encoding="utf-8")
     result = CliRunner().invoke(app, ["check", "--json", str(path)])
     assert result.exit_code == 0
     found = json.loads(result.stdout)
     assert found["errors"] == []
     (note,) = found["notes"]
     assert note["fixes"][0]["edits"] == [
-        {"line": 1, "column": 17, "end_line": 1, "end_column": 20, "text": ""}
+        {"line": 1, "column": 16, "end_line": 1, "end_column": 21, "text": "0.4"}
     ]
 
 

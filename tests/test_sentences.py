@@ -76,6 +76,7 @@ NO_SENTENCES = {
     "the radius",
     "the end",
     "the end of a wall",
+    *("axis ", "contact ", "let ", "velocity ", "wall "),  # how facts are named
 }
 RENDERERS = {"html.py", "markup.py", "typst.py"}
 MARKUP = {"STYLE", "_PAGE", "PREAMBLE", "_PREAMBLE"}

@@ -116,6 +116,10 @@ def variant(problem: Problem, seed: int = 1) -> Variant:
     )
 
 
+VARIATION = 4
+"""The version of what a seed draws here, raised where the same seed gives another variant."""
+
+
 @dataclass(frozen=True)
 class _Drawn:
     """A draw that is solved. ``beyond`` is by how much it is less plain than the original.
@@ -134,9 +138,7 @@ def _by_excess(drawn: _Drawn) -> tuple[tuple[int, ...], int]:
 
 
 def _headed(drawn: _Drawn, seed: int, notes: Sequence[str]) -> Variant:
-    from restitution.practice.questions.generate import VERSION
-
-    head = f"# like another question, seed {seed}  (generator version {VERSION})\n"
+    head = f"# like another question, seed {seed}  (generator version {VARIATION})\n"
     return Variant(head + drawn.text, seed, tuple(notes), drawn.draw)
 
 
