@@ -75,3 +75,30 @@ def test_a_component_along_a_slanted_line_is_no_velocity() -> None:
 def test_a_component_before_an_impact_is_no_velocity_after_it() -> None:
     found = marking(WALL, "u.(4i + 3j)/5 = 31/5", letters={"u": "velocity(P, 0)"})
     assert states(found) == [("B1", "earned"), ("B1", "lost"), ("M1", "lost"), ("A1", "lost")]
+
+
+HIDDEN_WALL = """
+wall W
+sphere P: mass 2, velocity 7i + j
+P hits W
+given velocity(P) = 3i + 5j
+find direction(W), e
+"""
+
+
+@pytest.mark.parametrize(
+    ("typed", "state"),
+    [
+        ("wall is along i + j", "earned"),
+        ("W is parallel to i + j", "earned"),
+        ("so the wall is in the direction 2i + 2j", "earned"),
+        ("wall = (1, 1)", "earned"),
+        ("the wall is along i - j", "lost"),
+    ],
+)
+def test_a_wall_lies_along_a_vector(typed: str, state: str) -> None:
+    text = f"change = -4i + 4j\n{typed}"
+    marking = restitution.mark(restitution.parse(HIDDEN_WALL), text).json()
+    _, of_wall, *_ = [point for point in marking["marks"]["points"] if point["kind"][0] == "A"]
+    assert of_wall["state"] == state
+    assert marking["lines"][1]["verdict"] == "remark"

@@ -618,7 +618,7 @@ def test_what_is_wrong_in_one_part_follows_through_to_the_next(typed: str) -> No
 
 def test_right_lines_of_two_parts_are_right() -> None:
     before = IN_PART_A.format(sign="-", v="5/3", speed="13/3")
-    for part, earned in (("a", 8), ("b", 2)):
+    for part, earned in (("a", 9), ("b", 2)):
         text = f"(a)\n{before}\n(b)\nw = v + 2 = 11/3\nspeed of B = 11/3"
         marking = restitution.mark(restitution.parse(TWO_PARTS), text, part=part)
         assert {each["verdict"] for each in marking.json()["lines"]} <= {"true", "remark"}

@@ -373,6 +373,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (mass_centres.BOTH_BEHIND, mass_centres.of_both),
     (mass_centres.OF_ONE, mass_centres.of_one),
     (mass_centres.OF_CENTRE, mass_centres.of_centre),
+    (walls_in_words.LIES_ALONG, walls_in_words.lies_along),
     (walls_in_words.TO_A_WALL, walls_in_words.to_a_wall),
     (walls_in_words.HITS_AT, walls_in_words.hits_at),
     (walls_in_words.SQUARED_THEN, lambda match, _: f"{match[1]} ^2"),

@@ -32,6 +32,21 @@ HITS_AT = re.compile(
     r"(?:an\s+angle\s+(?:of\s+)?)?(?=[^,;=]*\d\s*(?:°|deg))"
 )
 
+# How a wall lies, by a vector: ``so the wall is parallel to 2i + j``.
+_PART = r"[-+−]?\s*[\d./√½⅓⅔¼¾]*\s*"
+LIES_ALONG = re.compile(
+    r"^(\s*(?:so|hence|then|therefore)?\s*)(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s*"
+    r"(?:=|:|is|runs|lies|goes)?\s*(?:along|parallel\s+to|in\s+the\s+direction(?:\s+of)?)?\s*:?\s*"
+    rf"(?=[(<]?\s*{_PART}i\s*[-+−]{_PART}j\b|[(<]\s*-?\d+\s*,\s*-?\d+\s*[)>]\s*$)"
+)
+
+
+def lies_along(match: re.Match[str], problem: Problem) -> str:
+    """The direction of a wall as a label, where the words say it of one."""
+    names = {wall.name for wall in problem.walls}
+    known = match[2] in names or (len(names) == 1 and match[2] in ("wall", "cushion", "barrier"))
+    return f"{match[1]}wall: " if known and len(names) == 1 else match[0]
+
 
 def hits_at(match: re.Match[str], problem: Problem) -> str:
     """The angle to a wall before it is hit."""
