@@ -675,3 +675,15 @@ find speed(P)
 )
 def test_components_that_do_not_approach_come_of_the_data(statement: str, line: str) -> None:
     assert line in printed(statement)
+
+
+def test_a_vector_of_short_decimals_stands_once() -> None:
+    """Its components are all decimals, and no line has the same vector in fractions."""
+    statement = (
+        "sphere A: mass 1, velocity 3i + 4j\nsphere B: mass 1, velocity -3i\n"
+        "A hits B: along 2i - j, e = 1/2\nfind velocity(A), velocity(B)\n"
+    )
+    text = " ".join(to_text(explain(solve(parse(statement)))).split())
+    assert "= (0.6𝐢 + 5.2𝐣) m s⁻¹" in text
+    assert "𝐯_B = (−0.6𝐢 − 1.2𝐣) m s⁻¹" in text
+    assert "(26/5)𝐣" not in text

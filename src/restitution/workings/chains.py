@@ -642,12 +642,16 @@ class Chains:
             for side, sign in () if place else added:
                 if sign == "≈" and is_vector_of_short_decimals(sides[-1]):
                     continue  # one component alone would be rounded
-                if side != sides[-1] and not (sign == "=" and has_decimals(sides[-1])):
+                vector = sign == "=" and is_vector(left)
+                if side != sides[-1] and (vector or not (sign == "=" and has_decimals(sides[-1]))):
                     if sign == "≈" and self._goes_into_numbers(line, right):
                         four = to_figures(right, self._figures.count(right))
                         if four is not None and four not in (side, sides[-1]):
                             sides.append(four)
                             signs.append(sign)
+                    if vector:
+                        sides[-1] = side  # nobody writes a vector twice
+                        continue
                     sides.append(side)
                     signs.append(sign)
         in_letters = self._figures.in_letters(right) if end is None and not unit else None
