@@ -277,9 +277,9 @@ def test_a_cure_mends_with_one_click(open_):
 
 
 def test_a_note_has_its_cure_too(open_):
-    page = open_(WALL.replace("mass 2", "mass 2 kg"))
+    page = open_(WALL.replace("mass 2", "mass 2000 g"))
     assert "e=23" in answers(page)
-    page.get_by_role("button", name="Leave out 'kg'").click()
+    page.get_by_role("button", name="Write 2", exact=True).click()
     solved(page)
     assert typed(page) == WALL
     assert page.locator(".warning").count() == 0

@@ -16,7 +16,7 @@ def test_both_velocities_by_those_after() -> None:
             "6 + 1 = ½(p − q)",
             "p = 6 m s⁻¹",
             "The velocity changes along the line of centres only: 𝐮_A = (𝐢 − 3𝐣) +",
-            "= (33/5)𝐢 + (6/5)𝐣",
+            "= (6.6𝐢 + 1.2𝐣) m s⁻¹",
         ),
     )
 
