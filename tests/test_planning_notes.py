@@ -36,6 +36,8 @@ sphere B: mass 1, velocity {v}i
 A hits B: along i{e}
 """
 
+ONLY_GIVEN = "There is no such impact. The other answers are only what the data would give"
+
 
 @cache
 def planned(text: str) -> tuple[Solution, Derivation]:
@@ -67,8 +69,32 @@ def test_a_coefficient_that_is_too_large_is_worked_out() -> None:
     told = printed(solution)
     reason = "e = 3/2 is impossible, as a coefficient of restitution is at most 1."
     shown = f"{reason} So no value of e is possible: what is given cannot occur. A1"
-    assert f"{shown} The other answers follow from what is given, without e." in told
+    assert f"{shown} {ONLY_GIVEN}, without e." in told
     assert "𝐯_A = (𝐢 + 3𝐣) m s⁻¹" in told
+
+
+def test_a_coefficient_over_a_sum_of_roots_is_seen_from_the_quotient() -> None:
+    """Nobody needs e = (4 − 3√2)/2 to see that it is negative: 1 − √2 is."""
+    text = (
+        "sphere A: mass m, velocity 2u at 60°\nsphere B: mass 2m, velocity u at 135°\n"
+        "A hits B: along i\ngiven velocity(A) parallel to j\nfind e"
+    )
+    solution, derivation = planned(text)
+    assert write_relation(derivation.lines[-1].relation) == "e = (1 - sqrt(2))/(2 + sqrt(2))"
+    assert "e = (1 − √2)/(2 + √2) ≈ −0.121 e ≈ −0.121 is impossible" in printed(solution)
+
+
+def test_the_range_of_an_impossible_coefficient_has_its_value() -> None:
+    """It was said in one line, with a mark, that no value is possible; or that the data clash."""
+    text = (
+        "sphere A: mass m, velocity u at 45°\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+        "given deflection(A) = 90°\nfind range of e"
+    )
+    impossible = "e = 5/3 is impossible, as a coefficient of restitution is at most 1. So no value"
+    assert impossible in printed(planned(text)[0])
+    told = printed(planned(text.replace("find", "find e,"))[0])
+    assert impossible in told
+    assert told.endswith("No value of e is possible, as shown above.")
 
 
 def test_a_negative_coefficient() -> None:

@@ -554,6 +554,9 @@ def _write_item(
             asked = with_angles_given(scene, staged(problem, item.expression, now))
             if item.percentage:
                 raise NotPlannedError("a percentage")
+            if result.error is not None:
+                write_item(scene, solver, asked, name)  # the one value, which cannot be
+                return
             relation = relation_of(asked, result)
             if not _write_one_value(scene, solver, asked, relation, name):
                 write = partial(_write_range, scene, solver, asked, relation, result, name)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import random
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import field, replace
 from functools import partial
 from typing import Any
@@ -367,10 +368,8 @@ class Worker:
         kind: ItemKind = "value"
         try:
             if isinstance(item, Range):
-                from restitution.solving.ranges.allowed_values import find_range
-
                 kind = "range"
-                ranged = find_range(self.desk, item, now, in_terms_of)
+                ranged = self._range(item, now, in_terms_of)
                 if ranged.proof == "undecided":
                     self.warn(ranged.not_proved)
                 return ranged
@@ -394,6 +393,25 @@ class Worker:
         except UNFORESEEN as error:
             line = None if item.place is None else item.place.line
             return ItemResult(item, line, item.text, kind, error=unforeseen(error, line))
+
+    def _range(self, item: Range, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
+        """A range. Where it is empty as a coefficient has one impossible value, that is why."""
+        from restitution.solving.ranges.allowed_values import find_range
+
+        try:
+            return find_range(self.desk, item, now, in_terms_of)
+        except ContradictionError:
+            asked = item.expression
+            with suppress(ContradictionError):
+                outcome, branches = self.solved(in_terms_of)
+                if not outcome.accepted and all(
+                    isinstance(asked, Letter)
+                    and asked.name in branch.values
+                    and branch.values[asked.name].is_number
+                    for branch in branches
+                ):
+                    without_impossible(branches, outcome.setting, [asked], now)
+            raise
 
     def _all_refused(
         self,

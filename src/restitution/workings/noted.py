@@ -28,17 +28,20 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    has_root,
+    is_binary,
     is_quantity,
     letters,
     walk,
 )
-from restitution.problem import Arrival, Extremum, Impact, Kick, Problem, Show, Value
+from restitution.problem import Arrival, Extremum, Impact, Kick, Problem, Range, Show, Value
 from restitution.render import layout as lay
 from restitution.shapes import Line
 from restitution.solving.equations.coefficients import COEFFICIENTS
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
+from restitution.workings.naming.measured import number_carried, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.no_root import reason_of_no_root
 
@@ -267,6 +270,8 @@ class Notes:
         left, right = _bounded(relation, self._bounds_of(bound))
         over = "<=" in str(bound)
         links = [self._figures(Link(left, "=", right))]
+        if has_root(right) and any(is_binary(node, "+", "-") for node in walk(right)):
+            links = [_rounded_beyond(links[0], int(over))]
         if letters(right):
             links.append(Link(right, ">" if over else "<", Number(Fraction(int(over)))))
         equation = self._naming.relation(Relation((tuple(links),)))
@@ -274,6 +279,9 @@ class Notes:
             name = "note.above-one" if over else "note.below-zero"
             return say(name, value=equation, letter=self._naming.layout(left))
         if any(other.premises == note.premises and self._ends_in(other) for other in self._all):
+            item = self._ends.item(note.item)
+            if isinstance(item, Range) and item.expression == left:
+                return say("note.none-of-it", letter=self._naming.layout(left))
             return say("note.none-either", items=items)
         if isinstance(value, int):
             name = "note.none-above-one" if over else "note.none-below-zero"
@@ -420,6 +428,18 @@ class Notes:
         assert own is not None
         assert isinstance(own.relation, Relation)
         return own.relation
+
+
+def _rounded_beyond(link: Link, end: int) -> Link:
+    """A value with roots in it to three figures, where these are beyond an end, 0 or 1, too."""
+    if letters(link.right):
+        return link
+    number = number_carried(worth(link.right), 3)
+    beyond = number is not None and (number > 1 if end else number < 0)
+    if number is None or not beyond:
+        return link
+    size = Number(abs(number))
+    return replace(link, sign="≈", right=Negate(size) if number < 0 else size)
 
 
 def _bounded(relation: Relation, bounded: Collection[Expression]) -> tuple[Expression, Expression]:

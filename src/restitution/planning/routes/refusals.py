@@ -22,7 +22,7 @@ from restitution.oracle import Oracle
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import Desk, NotPlannedError
 from restitution.planning.writing.scene import Scene
-from restitution.problem import Value
+from restitution.problem import Range, Value
 from restitution.solving.equations.coefficients import COEFFICIENTS
 from restitution.solving.equations.solution import ItemResult
 from restitution.solving.story.letters import roles
@@ -77,7 +77,7 @@ def _impossible(
     scene: Scene, solver: Solver, result: ItemResult, write: Callable[[], None]
 ) -> tuple[Ref, ...] | None:
     """What says that a coefficient is what none can be; None where that is not the reason."""
-    asked = result.item.expression if isinstance(result.item, Value) else None
+    asked = result.item.expression if isinstance(result.item, Range | Value) else None
     letters = dict(_beyond(scene))
     if isinstance(asked, Letter) and asked.name in letters:
         write()

@@ -22,14 +22,23 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import product, tree_of
 from restitution.planning.writing.polynomials import expanded
+from restitution.solving.equations.coefficients import COEFFICIENTS
 
 
 def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
-    """The same working, in which a quotient is multiplied by the conjugate of what is below."""
+    """The same working, in which a quotient is multiplied by the conjugate of what is below.
+
+    A coefficient that cannot be is seen from the quotient, and ends with that.
+    """
     lines = list(derivation.lines)
     read = None
+    impossible = _impossible_coefficients(derivation)
     for index, line in enumerate(lines):
         if not isinstance(line.relation, Relation) or len(line.relation.options) > 1:
+            continue
+        if line.number in impossible:
+            links = tuple(_up_to_a_quotient(line.relation.only))
+            lines[index] = replace(line, relation=Relation((links,)))
             continue
         links = tuple(_longer(line.relation.only))
         if len(links) > len(line.relation.only):
@@ -37,6 +46,26 @@ def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
             read = read or reader_of(derivation, oracle)
             lines[index] = own if read.accepts(own) else line
     return replace(derivation, lines=tuple(lines))
+
+
+def _impossible_coefficients(derivation: Derivation) -> set[int]:
+    """The lines that say what a coefficient cannot be, on which no other line rests."""
+    cited = {ref for line in derivation.lines for ref in line.premises}
+    return {
+        number
+        for note in derivation.notes
+        if note.kind == "impossible" and note.reason == COEFFICIENTS
+        for number in note.lines
+        if number not in cited
+    }
+
+
+def _up_to_a_quotient(links: tuple[Link, ...]) -> Iterator[Link]:
+    """The links of a chain up to the first quotient that would be multiplied by a conjugate."""
+    for link in links:
+        if _multiplied(link) is not None:
+            return
+        yield link
 
 
 def _longer(links: tuple[Link, ...]) -> Iterator[Link]:

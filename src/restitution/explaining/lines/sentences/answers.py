@@ -82,6 +82,7 @@ SENTENCES: Mapping[str, str] = {
     "note.unwritten-line-from": "The steps from here are not written out:",
     "note.unwritten-from": "{item:capital} is {answer}. The steps from here are not written out.",
     "note.none-shown": "It cannot be shown that {items}, as {reason}.",
+    "note.none-of-it": "No value of {letter} is possible, as shown above.",
     "note.none-either": "{items:capital} cannot be found either, as there is no such impact.",
     "note.none-data-above-one": (
         "{items:capital} cannot be found, as a coefficient of restitution is at most 1, and not "
@@ -95,8 +96,13 @@ SENTENCES: Mapping[str, str] = {
         "{value} is impossible, as a coefficient of restitution is at most 1. So no value of "
         "{letter} is possible: what is given cannot occur."
     ),
-    "note.goes-on": "The other answers follow from what is given, without {letter}.",
-    "note.rests-on": "The other answers follow from what is given.",
+    "note.goes-on": (
+        "There is no such impact. The other answers are only what the data would give, without "
+        "{letter}."
+    ),
+    "note.rests-on": (
+        "There is no such impact. The other answers are only what the data would give."
+    ),
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
         "{letter} is possible: what is given cannot occur."
