@@ -20,7 +20,7 @@ FEW = 5
 """A test with fewer cases is whole in the normal run, but for those that take long."""
 
 ONE_IN = {
-    "test_statements": 8,
+    "test_statements": 12,
     # Workings of statements of its own: solved, planned, followed.
     "test_planning_accepted": 3,
     "test_planning_angles": 3,
@@ -61,7 +61,7 @@ ONE_IN = {
 }
 """Of the cases of a test in these modules, one in so many stands in the normal run."""
 
-BROWSER_ONE_IN = 3
+BROWSER_ONE_IN = 4
 """Of the tests of a module that have a browser, one in so many stands in the normal run.
 
 Each takes about a second of a processor, most of it in processes of the browser and of the server,
@@ -69,11 +69,11 @@ which no test waits for the end of: ``--long`` does not see them.
 """
 
 LONG_TESTS = Path(__file__).parent / "long_tests.txt"
-"""Tests that took more than a quarter of a second of a processor; ``--long FILE`` writes them."""
+"""Tests that took more than an eighth of a second of a quick processor; ``--long FILE`` writes them."""
 
 LONG = frozenset(LONG_TESTS.read_text(encoding="utf-8").splitlines())
-LONG_SECONDS = 0.25
-LONG_ONE_IN = 25
+LONG_SECONDS = 0.125
+LONG_ONE_IN = 40
 """Of the tests that take long, one in so many stands in the normal run."""
 
 
