@@ -69,7 +69,7 @@ which no test waits for the end of: ``--long`` does not see them.
 """
 
 LONG_TESTS = Path(__file__).parent / "long_tests.txt"
-"""Tests that took more than an eighth of a second of a quick processor; ``--long FILE`` writes them."""
+"""Tests of more than an eighth of a second of a quick processor; ``--long FILE`` writes them."""
 
 LONG = frozenset(LONG_TESTS.read_text(encoding="utf-8").splitlines())
 LONG_SECONDS = 0.125

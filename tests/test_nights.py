@@ -67,7 +67,8 @@ def test_of_tests_in_a_browser_each_module_keeps_some(pytester: pytest.Pytester)
     alone = "def test_one(page): pass\ndef test_without(): pass\n"
     pytester.makepyfile(test_pages=browser + few + many, test_page=browser + alone)
     normal, night, all_ = (_names(pytester, *each) for each in (BY_DAY, BY_NIGHT, ()))
-    assert (len(normal), len(night)) == (6 + 2, 12)
+    kept = round(18 / nights.BROWSER_ONE_IN)
+    assert (len(normal), len(night)) == (kept + 2, 18 - kept)
     assert normal | night == all_
     assert {"test_page.py::test_one", "test_page.py::test_without"} < normal
 
