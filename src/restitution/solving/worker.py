@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import random
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import field, replace
 from functools import partial
 from typing import Any
@@ -67,6 +66,7 @@ from restitution.solving.equations.coefficients import (
     coefficient_letters,
     impossible_coefficients,
     outside,
+    require_possible_value,
     without_impossible,
 )
 from restitution.solving.equations.part import Desk, Outcome, impossible, solved_texts
@@ -366,51 +366,39 @@ class Worker:
 
     def item_result(self, item: Item, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
         kind: ItemKind = "value"
+        line = None if item.place is None else item.place.line
         try:
-            if isinstance(item, Range):
-                kind = "range"
-                ranged = self._range(item, now, in_terms_of)
-                if ranged.proof == "undecided":
-                    self.warn(ranged.not_proved)
-                return ranged
-            if isinstance(item, Extremum):
-                from restitution.solving.ranges.extrema import find_extremum
-
-                kind = "extremum"
-                extreme = find_extremum(self.desk, item, now, in_terms_of)
-                if extreme.proof == "undecided":
-                    self.warn(extreme.not_proved)
-                return extreme
+            if isinstance(item, Range | Extremum):
+                kind = "range" if isinstance(item, Range) else "extremum"
+                bounds = self._bounds(item, now, in_terms_of)
+                if bounds.proof == "undecided":
+                    self.warn(bounds.not_proved)
+                return bounds
             kind = self._kind(item.expression)
             return self._value(item, now, in_terms_of, kind)
         except RestitutionError as error:
-            line = None if item.place is None else item.place.line
             column = None if item.place is None else item.place.column
             if error.line is None:
                 error = error.at(line, column)
             refused = self._all_refused(item, now, in_terms_of, kind, error)
             return ItemResult(item, line, item.text, kind, rejected=refused, error=error)
         except UNFORESEEN as error:
-            line = None if item.place is None else item.place.line
             return ItemResult(item, line, item.text, kind, error=unforeseen(error, line))
 
-    def _range(self, item: Range, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
-        """A range. Where it is empty as a coefficient has one impossible value, that is why."""
+    def _bounds(
+        self, item: Range | Extremum, now: int, in_terms_of: tuple[str, ...] | None
+    ) -> ItemResult:
+        """A range or an extreme value; a range is empty where a coefficient is impossible."""
+        if isinstance(item, Extremum):
+            from restitution.solving.ranges.extrema import find_extremum
+
+            return find_extremum(self.desk, item, now, in_terms_of)
         from restitution.solving.ranges.allowed_values import find_range
 
         try:
             return find_range(self.desk, item, now, in_terms_of)
         except ContradictionError:
-            asked = item.expression
-            with suppress(ContradictionError):
-                outcome, branches = self.solved(in_terms_of)
-                if not outcome.accepted and all(
-                    isinstance(asked, Letter)
-                    and asked.name in branch.values
-                    and branch.values[asked.name].is_number
-                    for branch in branches
-                ):
-                    without_impossible(branches, outcome.setting, [asked], now)
+            require_possible_value(partial(self.solved, in_terms_of), item.expression, now)
             raise
 
     def _all_refused(

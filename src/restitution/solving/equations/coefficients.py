@@ -26,6 +26,7 @@ from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.algebra.numbers import Sample
 from restitution.solving.algebra.signs import sign
+from restitution.solving.equations.part import Outcome
 from restitution.solving.equations.setting import Setting
 from restitution.solving.equations.solution import Branch
 from restitution.solving.story.bodies import coefficient_outside
@@ -115,6 +116,23 @@ def without_impossible(
         error.because = f"the data give {values}, and {COEFFICIENTS}"
         raise error
     return kept
+
+
+def require_possible_value(
+    solved: Callable[[], tuple[Outcome, list[Branch]]], tree: Expression, now: int
+) -> None:
+    """Raises ImpossibleError for the letter of a coefficient that is one number outside [0, 1].
+
+    ``solved`` gives what solving the part gives.
+    """
+    try:
+        outcome, branches = solved()
+    except RestitutionError:
+        return
+    if isinstance(tree, Letter) and not outcome.accepted and branches:
+        values = [branch.values.get(tree.name) for branch in branches]
+        if all(value is not None and value.is_number for value in values):
+            without_impossible(branches, outcome.setting, [tree], now)
 
 
 def _blamed(branch: Branch, named: set[str]) -> Impossible:
