@@ -491,3 +491,9 @@ def test_a_sum_of_roots_of_roots_is_the_root_of_its_square_where_that_is_plain()
         assert str(tidy(given)) == text
         assert abs(complex((tidy(given) - given).evalf())) < 1e-12
     assert tidy(one) == one
+
+
+def test_a_sine_of_an_inverse_beside_a_root_stays() -> None:
+    """Its angle is no rational part of a turn."""
+    value = sqrt(2) * sympy.sin(4 * sympy.pi / 9 - sympy.atan(sympy.tan(5 * sympy.pi / 18) / 2))
+    assert float(tidy(value)) == pytest.approx(float(value))

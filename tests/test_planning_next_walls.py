@@ -362,3 +362,27 @@ find speed(P)
     said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
     assert "BC is perfectly elastic, so P keeps its speed: speed of P after the second" in said
     assert "√" not in said
+
+
+@pytest.mark.parametrize(
+    ("corner", "path", "e", "last"),
+    [(80, 50, "0.5", "≈ 64 − 18.58 ≈ 45.4 J"), (75, 55, "2/3", "≈ 64 − 30.99 ≈ 33.0 J")],
+)
+def test_components_after_a_corner_follow_for_a_path_above_45_degrees(
+    corner: int, path: int, e: str, last: str
+) -> None:
+    """1 − cos² 40° below a root is the square of sin 40°; an energy stands as written."""
+    statement = f"""
+wall AB: along i
+wall BC: along {corner}°
+sphere P: mass 2, velocity 8 at {path}° to AB
+P hits AB: e = {e}
+part a
+find speed(P), angle(velocity(P), AB)
+part b
+P hits BC: e = 0.4
+find speed(P), total_energy_lost
+"""
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert "does not follow" not in said
+    assert last in said

@@ -50,9 +50,9 @@ class Roots(Generators):
 
     def _size_of(self, polynomial: PolyElement) -> Quotient:
         """The size of a polynomial, by those of its factors."""
-        number, factors = factors_of(polynomial)
+        number, factors, sines = self._without_sines(*factors_of(polynomial))
         ratio = _fraction(number)
-        total = CONSTANT(abs(ratio))
+        total = CONSTANT(abs(ratio)) * sines**2
         for factor, times in factors:
             odd = self._positive(factor) if times % 2 else CONSTANT(1)
             total = total * odd * Quotient(factor, one()) ** (times - times % 2)
@@ -68,8 +68,8 @@ class Roots(Generators):
             self.ordered.add(factors[0][0] if number > 0 else -factors[0][0])
 
     def _root(self, inside: PolyElement) -> Quotient:
-        number, factors = factors_of(inside)
-        outside, rest = CONSTANT(1), one()
+        number, factors, outside = self._without_sines(*factors_of(inside))
+        rest = one()
         for factor, times in factors:
             if times // 2:
                 outside = outside * self._positive(factor) ** (times // 2)
@@ -91,6 +91,23 @@ class Roots(Generators):
         if plain is None:
             plain = self._root_of_number(Fraction(free)) * self._root_generator(rest)
         return outside * plain
+
+    def _without_sines(
+        self, number: Fraction, factors: list[tuple[PolyElement, int]]
+    ) -> tuple[Fraction, list[tuple[PolyElement, int]], Quotient]:
+        """The factors of a polynomial without squares of sines, 1 − cos² 40°, and these sines."""
+        counts = dict(factors)
+        outside = CONSTANT(1)
+        for key, index in list(self._keys.items()):
+            if key[0] != "sin" or index not in self.squares or not self._is_positive(key):
+                continue
+            sign, own = factors_of(self.squares[index])
+            if all(counts.get(factor, 0) % 2 for factor, _ in own):
+                for factor, times in own:
+                    counts[factor] -= times
+                number /= sign
+                outside = outside * self.generator(key)
+        return number, list(counts.items()), outside
 
     def _by_another(self, inside: PolyElement) -> Quotient | None:
         """√(a + b√c) by another such root, where their product has no root below its root."""

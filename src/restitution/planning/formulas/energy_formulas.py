@@ -685,7 +685,9 @@ def total_energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     both = [energy_formula(scene, Quantity("energy", (), stage)) for stage in (0, quantity.stage)]
     for own in both:
         number = write_formula(scene, own)
-        terms.append(tree_of(own.value))
+        # A long number with ratios of a calculator stays as it stands: its digits are printed.
+        digits = own.value.is_number and own.value.has(sp.sin, sp.cos)
+        terms.append(scene.desk.last_link(number).right if digits else tree_of(own.value))
         values.append(own.value)
         refs.append(number)
     return Formula(
