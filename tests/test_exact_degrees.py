@@ -101,3 +101,9 @@ def test_a_tangent_of_components_has_no_roots_of_roots(angle: int) -> None:
     trees = [tree for line in derivation.lines for tree in trees_of(line.relation)]
     assert not any(is_function(node, "sqrt") for tree in trees for node in walk(tree))
     assert not follow(derivation, Oracle(roles(problem)))
+
+
+def test_numbers_with_angles_that_are_no_parts_of_a_turn_are_merged_beside_roots() -> None:
+    angle = sp.atan(2)
+    value = sp.sqrt(5) * sp.sin(angle, evaluate=False) / 20 - sp.Rational(1, 10)
+    assert exact.tidy(value) == 0

@@ -317,3 +317,20 @@ find speed(A), deflection(A)
     assert text.count("At the impact the centres are 0.8 m apart") == 1
     assert "Let β be the angle between the line of centres and the path of A: sin β = 0.62/" in text
     assert "δ = 90° − β = 90° − arcsin 0.775" in text
+
+
+def test_data_that_clash_in_a_later_part_meet_the_letter_of_the_offset() -> None:
+    problem, derivation = planned("""
+sphere A: mass 2m, velocity u i, radius a
+sphere B: mass 6m, velocity -u i
+A hits B: offset d, e = 1
+part a
+given impulse = 4 m u
+find d
+part b
+given speed(A) = 3u
+find d
+""")
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "sin φ = d/(2a)" in text
+    assert "it is given that the speed of A immediately after the collision is 3u" in text

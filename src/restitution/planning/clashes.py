@@ -287,7 +287,9 @@ def scene_without(
     )
     desk.item = name
     protected = protected_letters(own.part)
-    story = model(without, own.part, own.branches[0], own.roles, protected, question=problem)
+    story = model(
+        without, own.part, own.branches[0], own.roles, protected, question=problem, paths=desk.paths
+    )
     return Scene(problem, part, own, story, desk, find_frame=frame_at)
 
 

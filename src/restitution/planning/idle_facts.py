@@ -42,7 +42,13 @@ def write_idle_facts(
     reason = next(error.because or error.message for error in errors if error is not None)
     problem, own = solution.problem, part.part
     story = model(
-        problem, own, part.branches[0], part.roles, protected_letters(own), question=problem
+        problem,
+        own,
+        part.branches[0],
+        part.roles,
+        protected_letters(own),
+        question=problem,
+        paths=desk.paths,
     )
     for given in Scene(problem, own, part, story, desk, find_frame=frame_at).given:
         sides = (given.link.left, given.link.right)
@@ -82,7 +88,15 @@ def with_facts_that_agree(solution: Solution, desk: Desk, spare: Iterable[Fact])
         if len(part.branches) != 1:
             continue
         protected = protected_letters(part.part)
-        story = model(problem, part.part, part.branches[0], part.roles, protected, question=problem)
+        story = model(
+            problem,
+            part.part,
+            part.branches[0],
+            part.roles,
+            protected,
+            question=problem,
+            paths=desk.paths,
+        )
         name = f"{part.part.label or ''}{len(part.items)}"
         draft = desk.fork()
         draft.part = part.part.label

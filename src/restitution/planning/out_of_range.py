@@ -66,7 +66,8 @@ def _values(
     """The line of the values of a letter, and what excludes them; None where nothing does."""
     problem, protected = solution.problem, protected_letters(part.part)
     models = tuple(
-        model(problem, part.part, branch, part.roles, protected) for branch in part.beyond
+        model(problem, part.part, branch, part.roles, protected, paths=desk.paths)
+        for branch in part.beyond
     )
     own = replace(part, branches=part.beyond[:1])
     others = models if len(models) > 1 else ()

@@ -265,7 +265,7 @@ def _written_out(
         vector = Vector(*(sp.sympify(part, strict=True).subs(ratios) for part in own))
         sizes = [sp.sqrt(tidy(sp.expand(x.dot(x)))) for x in (vector, beside)]
         gap = tidy(vector.dot(beside)) / sizes[0] / sizes[1] - cosine
-        if tidy(gap.subs(dict.fromkeys(gap.free_symbols, sp.Integer(1)))) == 0:
+        if tidy(gap) == 0:
             return tree_of(Vector(*map(tidy, vector)))
     return None
 
