@@ -7,7 +7,9 @@ from derivations import oracle_of
 from workings import planned
 
 from restitution.explaining.following.follower import follow
-from restitution.workings import to_text
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 STRUCK = """
@@ -169,3 +171,31 @@ def test_an_angle_is_seen(name: str) -> None:
     assert not [each for each in lines if each not in text], text
     assert not [each for each in others if each in text], text
     assert not follow(derivation, oracle_of(problem))
+
+
+@pytest.mark.parametrize(
+    ("velocities", "rest", "told"),
+    [
+        (
+            ("u i", "0i"),
+            "e = e\ngiven e k > 1\nshow angle(velocity(A), velocity(B)) = 180°",
+            "As v < 0 (since ek > 1), A and B move along the line of centres, opposite ways:",
+        ),
+        (
+            ("3u i", "u i"),
+            "e = 1/3\ngiven k < 2\nfind angle(velocity(A), velocity(B))",
+            "As v > 0 and w > 0, A and B move along the line of centres, the same way:",
+        ),
+    ],
+)
+def test_two_spheres_on_one_line_make_no_angle_or_a_straight_one(
+    velocities: tuple[str, str], rest: str, told: str
+) -> None:
+    """It was said that one moves at right angles to the line, or nothing was written out."""
+    statement = (
+        f"sphere A: mass m, velocity {velocities[0]}\n"
+        f"sphere B: mass k m, velocity {velocities[1]}\nA hits B: along i, {rest}"
+    ).replace("velocity 0i", "at rest")
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert told in said
+    assert "follow" not in said

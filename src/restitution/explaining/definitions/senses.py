@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from restitution.explaining.lines.derivation import FLIPPED, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Quotient
@@ -14,14 +14,17 @@ from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE, POSITIVE
 
 
-def oriented(step: Step, x: Quotient) -> int | None:
+def oriented(step: Step, x: Quotient, loose: Collection[str] = ()) -> int | None:
     """The sign of a ratio of components; None where it is open.
 
     What letters of the statement may be need not be cited: an acute angle is named as such. What
     is given of them beyond that (``m > e M``) counts where it is cited. A component that a working
-    names is drawn in its sense, unless a line gives it a value of which that is not certain.
+    names is drawn in its sense, unless a line gives it a value of which that is not certain; those
+    of ``loose`` letters have either.
     """
-    oracle = Oracle(drawn_roles(step), tuple(_ranges_cited(step)))
+    roles = drawn_roles(step)
+    roles = {**roles, **{name: REAL for name in loose if name in step.setting.meanings}}
+    oracle = Oracle(roles, tuple(_ranges_cited(step)))
     sign = Signs(step.world, lambda: oracle).of(x)
     if sign:
         return sign

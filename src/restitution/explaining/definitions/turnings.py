@@ -95,6 +95,8 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
     p, q = (_to_the_line(event, state, *own) for state, own in ((one, (a, b)), (other, (c, d))))
     square = _RIGHT in (p, q)
     onward = 1 if square else _sign(step, a * c)
+    if p == q == _NONE and one[0] != other[0]:
+        onward = _on_one_line(step, event, (one, a), (other, c))
     beside = 1 if _NONE in (p, q) else _sign(step, b * d)
     if onward is None or beside is None:
         return None
@@ -117,6 +119,21 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
     if onward == 1:
         return Binary("-", high, low)
     return Binary("+", Binary("-", _STRAIGHT, high), low)
+
+
+def _on_one_line(step: Step, event: Event, *sides: tuple[Moving, Quotient]) -> int | None:
+    """Whether two spheres go the same way along the line of centres, 1, or opposite ways, −1.
+
+    That is what is asked: so it is open in which sense a letter is drawn, unless its sphere was at
+    rest, and moves off.
+    """
+    loose: set[str] = set()
+    for (body, stage), along in sides:
+        before = [_component(step, event, kind, (body, stage - 1)) for kind in COMPONENTS]
+        if not all(part is not None and part.vanishes for part in before):
+            loose |= {key[1] for key in step.world.keys(along.above).values() if key[0] == "letter"}
+    (_, a), (_, c) = sides
+    return oriented(step, a * c, loose)
 
 
 def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:

@@ -13,9 +13,10 @@ from restitution.expression.tree import Degrees, Expression, Name, Quantity, Uni
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.angle_formulas import components_to_a_line
 from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import body_and_stage
-from restitution.planning.writing.desk import NotPlannedError, chain
-from restitution.planning.writing.premises import nonzero, sign_known
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.premises import background, nonzero, sign_known
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
 
@@ -57,6 +58,56 @@ def angle_at_sight(scene: Scene, asked: Quantity) -> int | None:
     axes = scene.frame(stage).refs if stage in scene.model.frames else ()
     pool = (*zero.whole, *other.whole, *walls, *axes, *nonzero(scene, other.value))
     premises = scene.judge.needed(move, pool, relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def angle_on_one_line(scene: Scene, asked: Quantity) -> int | None:
+    """The line of the angle between two spheres that both move along the line of centres: 0°, 180°.
+
+    None where one does not, or where the sense of one is open.
+    """
+    match asked:
+        case Quantity("angle", (Quantity("velocity") as one, Quantity("velocity") as other)):
+            pass
+        case _:
+            return None
+    (first, stage), (second, late) = (body_and_stage(scene, each) for each in (one, other))
+    frame = scene.model.frames.get(stage)
+    if stage != late or first == second or frame is None or frame.wall is not None:
+        return None
+    mark, bodies = scene.desk.mark(), (first, second)
+    own = scene.frame(stage)
+    try:
+        across, along = (
+            [in_direction(scene, kind, body, stage, own) for body in bodies]
+            for kind in ("across", "along")
+        )
+    except NotPlannedError:
+        scene.desk.back(mark)
+        return None
+    values = [scene.model.in_data(source.value) for source in along]
+    signs = [scene.model.proved_sign(value) for value in values]
+    # Who was at rest moves off away from the other one, whatever its speed is.
+    moving = [any(scene.velocity(body, stage - 1)) for body in bodies]
+    is_open = any(
+        scene.unknown(source.value) and m for source, m in zip(along, moving, strict=True)
+    )
+    if any(source.value != 0 for source in across) or not all(signs) or is_open:
+        scene.desk.back(mark)
+        return None
+    names = {symbol.name for value in values for symbol in value.free_symbols}
+    known = [ref for value in values for ref in (*sign_known(scene, value), *nonzero(scene, value))]
+    facts = [f.id for f in scene.desk.facts if f.id.startswith("given ") and scene.desk.holds(f.id)]
+    components = [source.whole for source in (*across, *along)]
+    told = together(*(source.whole for source, m in zip(along, moving, strict=True) if m))
+    still = [f"velocity {body}" for body, m in zip(bodies, moving, strict=True) if not m]
+    pool = (*together(own.refs, *components, still), *known, *background(scene, names), *facts)
+    degrees = 0 if signs[0] == signs[1] else 180
+    relation = chain(asked, (Degrees(Fraction(degrees)), None))
+    move = Move("define", "difference", stage, bodies)
+    premises = scene.judge.needed(move, pool, relation, told)
+    if premises is None:
+        scene.desk.back(mark)
     return None if premises is None else scene.desk.write(move, premises, relation)
 
 

@@ -29,7 +29,11 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
-from restitution.planning.angles.at_sight import angle_at_sight, angle_of_a_multiple
+from restitution.planning.angles.at_sight import (
+    angle_at_sight,
+    angle_of_a_multiple,
+    angle_on_one_line,
+)
 from restitution.planning.angles.data_angles import write_as_given
 from restitution.planning.angles.decimal_angles import write_decimal
 from restitution.planning.angles.directions import (
@@ -168,6 +172,7 @@ _AT_ONCE = (
     write_right_angle_of_axes,
     angle_at_sight,
     angle_of_a_multiple,
+    angle_on_one_line,
     angle_along_the_centres,
 )
 

@@ -346,6 +346,8 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                     return write_right_angle(claims, pair, opened, link)
             if isinstance(link.left, Quantity) and _is_angle_in_numbers(link):
                 claims.worths.determine(link.left)
+                for velocity in link.left.arguments if _is_common(link) else ():
+                    claims.worths.determine(velocity)  # its sense, which no ratio has
                 line = angle_line(scene, link.left)
                 return line, scene.desk.relation(line)
             if (turned := _turned_by(claims, link)) is not None:
@@ -553,6 +555,11 @@ def _is_angle_in_numbers(link: Link) -> bool:
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
             return isinstance(link.right, Degrees) and link.right.value != 90
     return False
+
+
+def _is_common(link: Link) -> bool:
+    """Whether an angle is 0° or 180°, so that the two directions are one but for their sense."""
+    return isinstance(link.right, Degrees) and link.right.value % 180 == 0
 
 
 def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:

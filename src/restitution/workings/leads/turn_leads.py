@@ -76,6 +76,17 @@ _BETWEEN = {
     "straight": "between.right",
 }
 
+# Two that both move along the line of centres, by the angle between them.
+_ALONG_BOTH: dict[Expression, SentenceId] = {
+    Degrees(Fraction(0)): "between.along-same",
+    STRAIGHT_ANGLE: "between.along-opposite",
+}
+
+_ALONG_BOTH_AS: dict[Expression, SentenceId] = {
+    Degrees(Fraction(0)): "between.along-same-as",
+    STRAIGHT_ANGLE: "between.along-opposite-as",
+}
+
 # On which side of a wall, as it is given, a body leaves it: by the sign before its angle to it.
 _SIDES_OF_WALLS: dict[str, SentenceId] = {
     "+": "from-wall.anticlockwise",
@@ -313,6 +324,13 @@ class TurnLeads(LinesAround):
         if not alone:
             standing = self._standing(line)
             still, mover = standing.get("along"), standing.get("across")
+            if form == "straight" and first.right in _ALONG_BOTH:
+                signs = (self._sign_after(line, body) for body in line.move.bodies)
+                reasons = tuple(sign for sign in signs if sign is not None)
+                if reasons:
+                    name = _ALONG_BOTH_AS[first.right]
+                    return say(name, bodies=line.move.bodies, reasons=reasons)
+                return say(_ALONG_BOTH[first.right], bodies=line.move.bodies)
             if still is not None and form in _BESIDE:
                 (other,) = (body for body in line.move.bodies if body != still)
                 return say(_BESIDE[form], one=still, other=other)

@@ -159,6 +159,14 @@ SENTENCES: Mapping[str, str] = {
     "between.right": (
         "One of {bodies:and} moves along the line of centres, the other at right angles to it:"
     ),
+    "between.along-same": "{bodies:and} both move along the line of centres, the same way:",
+    "between.along-opposite": "{bodies:and} both move along the line of centres, opposite ways:",
+    "between.along-same-as": (
+        "As {reasons:and}, {bodies:and} move along the line of centres, the same way:"
+    ),
+    "between.along-opposite-as": (
+        "As {reasons:and}, {bodies:and} move along the line of centres, opposite ways:"
+    ),
     "between.right-of": (
         "{one} moves along the line of centres, and {other} at right angles to it:"
     ),
