@@ -99,13 +99,13 @@ def angle_on_one_line(scene: Scene, asked: Quantity) -> int | None:
     known = [ref for value in values for ref in (*sign_known(scene, value), *nonzero(scene, value))]
     facts = [f.id for f in scene.desk.facts if f.id.startswith("given ") and scene.desk.holds(f.id)]
     components = [source.whole for source in (*across, *along)]
-    told = together(*(source.whole for source, m in zip(along, moving, strict=True) if m))
+    decisive = together(*(source.whole for source, m in zip(along, moving, strict=True) if m))
     still = [f"velocity {body}" for body, m in zip(bodies, moving, strict=True) if not m]
     pool = (*together(own.refs, *components, still), *known, *background(scene, names), *facts)
     degrees = 0 if signs[0] == signs[1] else 180
     relation = chain(asked, (Degrees(Fraction(degrees)), None))
     move = Move("define", "difference", stage, bodies)
-    premises = scene.judge.needed(move, pool, relation, told)
+    premises = scene.judge.needed(move, pool, relation, decisive)
     if premises is None:
         scene.desk.back(mark)
     return None if premises is None else scene.desk.write(move, premises, relation)
