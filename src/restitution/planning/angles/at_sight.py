@@ -71,7 +71,7 @@ def angle_on_one_line(scene: Scene, asked: Quantity) -> int | None:
             pass
         case _:
             return None
-    (first, stage), (second, late) = (body_and_stage(scene, each) for each in (one, other))
+    (first, stage), (second, late) = (body_and_stage(scene, velocity) for velocity in (one, other))
     frame = scene.model.frames.get(stage)
     if stage != late or first == second or frame is None or frame.wall is not None:
         return None
