@@ -446,3 +446,20 @@ A hits B: along i
     shown = " ".join(to_text(explain(solve(parse(text)), check=True)).split())
     assert "A came in the direction of 𝐣, so the angle of deflection is the one" in shown
     assert line in shown
+
+
+# Where a wall runs, at which angle from i a sphere comes, and its angle to the wall.
+PATHS = (("i", 215, 35), ("i", 290, 70), ("j", 335, 65), ("20°", 265, 65), ("-40°", 300, 20))
+
+
+@pytest.mark.parametrize(("wall", "path", "angle"), PATHS)
+def test_an_angle_from_i_of_more_than_a_straight_one_adds_up_at_a_wall(
+    wall: str, path: int, angle: int
+) -> None:
+    problem, derivation = planned(
+        f"wall W: along {wall}\nsphere P: velocity u at {path}°\nP hits W\n"
+        f"given deflection(P) = {angle + 10}°\nfind e"
+    )
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert f"β = {angle + 10}° − {angle}° = 10°" in text
+    assert not follow(derivation, oracle_of(problem))

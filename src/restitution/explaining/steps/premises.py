@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
     unsigned,
     walk,
 )
@@ -321,12 +322,11 @@ class Premises:
             if not all(isinstance(unit, Unit) for unit in units):
                 return None
             angle = Binary("-", RIGHT_ANGLE, angle)
-        forms = (
-            angle,
-            Binary("-", STRAIGHT_ANGLE, angle),
-            Negate(angle),
-            Binary("+", STRAIGHT_ANGLE, angle),
-        )
+        forms: list[Expression] = [angle, Negate(angle)]
+        for turns in range(1, 2 if letters(angle) else 4):
+            whole = Degrees(turns * STRAIGHT_ANGLE.value)
+            forms += [Binary("-", whole, angle), Binary("+", whole, angle)]
+            forms += [Binary("-", angle, whole), Binary("-", Negate(angle), whole)]
         return next((form for form in forms if self._is_up_to(world, form, sp.pi / 2)), None)
 
     def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:

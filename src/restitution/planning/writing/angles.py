@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Polar,
     Unit,
     has_unit_vector,
+    unsigned,
     walk,
 )
 from restitution.planning.writing.forms import tree_of
@@ -25,6 +26,9 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
 
 STRAIGHT, RIGHT = (Degrees(Fraction(size)) for size in (180, 90))
+
+# A path and a line may be told by angles of up to 360° each, of either sign.
+_HALF_TURNS = (0, 1, -1, 2, -2, 3, -3)
 
 
 def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | None:
@@ -48,7 +52,7 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
     else:
         return None
     turned = scene.scalar(angle)
-    if all(isinstance(node, Degrees | Letter | Binary) for node in walk(line)):
+    if all(isinstance(node, Degrees | Letter | Binary | Negate) for node in walk(line)):
         if given.x != 0 and given.y != 0:
             return None
         across = Binary("-", line, RIGHT) if given.x == 0 else line
@@ -61,11 +65,11 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             angle, turned = Binary("-", RIGHT, angle), sp.pi / 2 - turned
         elif not isinstance(line, Unit | Negate) and origin != line:
             return None
+    turns = _HALF_TURNS[:3] if turned.free_symbols else _HALF_TURNS
     forms = (
         (angle, turned),
         (Binary("-", STRAIGHT, angle), sp.pi - turned),
-        (None, -turned),
-        (None, sp.pi + turned),
+        *((None, value + number * sp.pi) for number in turns for value in (turned, -turned)),
     )
     for form, value in forms:
         if scene.model.decide(value, ">=", 0) and scene.model.decide(value, "<=", sp.pi / 2):
@@ -92,7 +96,7 @@ def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Expression | Non
         case right if wall is not None:
             line = wall.relation.only[0].right
             # One along an axis is read off: u at θ to a wall that makes θ with it.
-            plain = isinstance(right, Polar) or isinstance(line, Letter | Degrees)
+            plain = isinstance(right, Polar) or isinstance(unsigned(line), Letter | Degrees)
             angle = angle_to_a_line(scene, body, line) if plain else None
     match angle:
         case Letter() | Degrees() | Binary("*", Number(), Letter()):
