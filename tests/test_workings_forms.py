@@ -381,3 +381,30 @@ def test_one_fact_of_a_coefficient_and_a_direction_fixes_neither() -> None:
         "given speed(A) = 2u\nfind e"
     )
     assert "That the speed of A is 2u is one equation for two unknowns." in shown
+
+
+def test_a_share_of_an_energy_is_a_fraction_among_fractions() -> None:
+    text = (
+        "sphere A: mass {m}, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i, "
+        "e = 1/2\ngiven energy_lost = 25% energy(0)\nfind alpha"
+    )
+    shown = working(text.format(m="m"))
+    assert "25% of the total kinetic energy" in shown
+    assert "(3/16)mu² cos²α = ¼ × ½mu²" in shown
+    assert "= 0.25 × (3mu²/5)" in working(text.format(m="1.2m"))
+
+
+def test_a_direction_has_no_letters_for_its_size() -> None:
+    shown = working(
+        "wall W\nsphere P: mass m, velocity 3u i + u j\nP hits W\n"
+        "given impulse(P) = lambda m u (-2i + j)\nfind direction(W)"
+    )
+    assert "the normal to W is parallel to −2𝐢 + 𝐣" in shown
+
+
+def test_two_masses_are_introduced_together() -> None:
+    shown = working(
+        "sphere A: velocity 3i + j\nsphere B: velocity -2i\nA hits B: along i\n"
+        "given velocity(A) = -i + j, velocity(B) = i\nfind mass(A)/mass(B), e"
+    )
+    assert "Let m_A and m_B be the masses of A and B." in shown

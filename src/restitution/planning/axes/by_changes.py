@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
 from restitution.expression.tree import (
@@ -22,6 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.oracle import Oracle
 from restitution.planning.axes.offsets import frame_by_offset
 from restitution.planning.axes.radii import frame_by_places, is_by_places
 from restitution.planning.formulas.definitions import write_formula
@@ -36,6 +38,7 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import plain_direction, whole_direction
 from restitution.planning.writing.vectors import velocity_given
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 
@@ -277,9 +280,26 @@ def _write(
     sign: Literal["parallel to", "perpendicular to"] = "parallel to",
 ) -> int:
     centres = Quantity("line_of_centres", (), number)
-    return scene.desk.write(
-        Move("law", record, number, (body,)), refs, Relation(((Link(centres, sign, right),),))
-    )
+    move, refs = Move("law", record, number, (body,)), tuple(refs)
+    plain = _without_a_scalar(scene, right)
+    shorter = None if plain is None else Relation(((Link(centres, sign, plain),),))
+    if shorter is not None and scene.judge.follows(move, refs, shorter):
+        return scene.desk.write(move, refs, shorter)
+    return scene.desk.write(move, refs, Relation(((Link(centres, sign, right),),)))
+
+
+def _without_a_scalar(scene: Scene, tree: Expression) -> Expression | None:
+    """The direction of a multiple of a vector of numbers by letters, in its sense; None of another.
+
+    A scalar of which the sign is open leaves the sense open too.
+    """
+    if not letters(tree) or not isinstance(value := scene.value(tree), Vector):
+        return None
+    plain = plain_direction(value)
+    if not all(component.is_number for component in plain):
+        return None
+    sense = -1 if proved_sign(Oracle(roles(scene.problem)), value.dot(plain)) == -1 else 1
+    return vector(*(tree_of(sense * component) for component in plain))
 
 
 _WAYS: tuple[Callable[[Scene, int], int | None], ...] = (

@@ -63,6 +63,9 @@ class Introductions:
                 )
             elif kind == "named" and (vectors := self._resolved(meanings)):
                 yield say("derived.name", equations=vectors)
+            elif len(meanings) > 1 and (bodies := _with_masses(meanings)):
+                letters = tuple(map(self._letter, meanings))
+                yield say("let.masses", letters=letters, bodies=bodies)
             elif kind == "named":
                 yield say(
                     "derived.let",
@@ -196,6 +199,18 @@ class Introductions:
         if turned:
             sense = _reversed(axis)
         return _TOWARDS, {"axis": self._naming.layout(sense)}
+
+
+def _with_masses(meanings: Sequence[Meaning]) -> tuple[str, ...]:
+    """The bodies of which letters are the masses; () where one is something else."""
+    bodies = []
+    for meaning in meanings:
+        match meaning.quantity:
+            case Quantity("mass", (Name(body),)):
+                bodies.append(body)
+            case _:
+                return ()
+    return tuple(bodies)
 
 
 def _reversed(direction: Expression) -> Expression:

@@ -49,6 +49,7 @@ SENTENCES: Mapping[str, str] = {
         "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
         "centres, in the direction at {axis} clockwise from {unit}, after the impact."
     ),
+    "let.masses": "Let {letters:and} be the masses of {bodies:and}.",
     "derived.let": "Let {meanings:and}.",
     "derived.meaning": "{letter} be the {quantity}",
     "derived.name": "Let {equations:and}.",
