@@ -77,3 +77,24 @@ def test_a_cosine_of_figures_is_one_number() -> None:
     )
     assert "(√(4² + 297²)√(4² + 3²)) ≈ −0.6107" in text
     assert "/1485" not in text
+
+
+def test_multiples_of_roots_are_figures_beside_angles_for_a_calculator_too() -> None:
+    text = printed(
+        "sphere A: mass 0.15, velocity 3.2 at 30°\nsphere B: mass 0.19, at rest\n"
+        "sphere C: mass 0.15, at rest\nA hits B: along i, e = 0.86\nB hits C: along 35°, e = 0.86\n"
+        "find speed(B, 1), speed(C)"
+    )
+    assert "w₁ ≈ 2.274 m s⁻¹" in text
+    assert "≈ 2.274 cos 35°" in text
+    assert "√3" not in text
+
+
+def test_a_place_with_a_sum_of_a_root_is_figures_among_decimals() -> None:
+    text = printed(
+        "wall W: along j, through (1.1, 0)\nwall V: along i, through (0, 0.7)\n"
+        "sphere P: mass 0.2, velocity 1.6 at 30°, at (0, 0)\nP hits W: e = 0.9\nP hits V: e = 0.9\n"
+        "find position(P)"
+    )
+    assert "position of P at the second impact ≈ (" in text
+    assert "√3" not in text

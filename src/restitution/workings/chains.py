@@ -596,7 +596,8 @@ class Chains:
         point = coordinates(as_decimal(link.right) if decimals else link.right)
         if point is not None:
             shown[0] = (self._naming.layout(Pair(*point)), "=")
-            if self._figures.with_calculator and any(map(has_plain_angles, point)):
+            awkward = (has_plain_angles(x) or self._figures.is_of_roots(x) for x in point)
+            if self._figures.with_calculator and any(awkward):
                 del shown[:-1]
         if decimals and [sign for _, sign in shown[1:]] == ["="]:
             shown = shown[:1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Relation
 from restitution.expression.tree import Letter, Number, has_root, walk
-from restitution.workings.naming.figures import is_with_calculator, plain_angles
+from restitution.workings.naming.figures import plain_angles
 from restitution.workings.naming.roots_of_roots import (
     has_unwieldy_root,
     is_of_nested_roots,
@@ -15,10 +15,9 @@ from restitution.workings.naming.roots_of_roots import (
 def has_long_numbers(derivation: Derivation) -> bool:
     """Whether a working has roots that nobody reads, where velocities are decimals.
 
-    One with a calculator anyway, for its angles, has figures for these. Not where the question has
-    roots itself.
+    Not where the question has roots itself.
     """
-    if is_with_calculator(derivation) or not any(map(_is_in_decimals, derivation.facts)):
+    if not any(map(_is_in_decimals, derivation.facts)):
         return False
     relations = (e.relation for e in derivation.lines if isinstance(e.relation, Relation))
     if not any(has_unwieldy_root(tree) for relation in relations for tree in relation.trees):
