@@ -315,7 +315,7 @@ find speed(A), deflection(A)
 """)
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert text.count("At the impact the centres are 0.8 m apart") == 1
-    assert "Let β be the angle between the line of centres and the path of A: sin β = 0.62/" in text
+    assert "Let β be the angle between the line of centres and the path of A: sin β = 0.775" in text
     assert "δ = 90° − β = 90° − arcsin 0.775" in text
 
 
@@ -334,3 +334,13 @@ find d
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert "sin φ = d/(2a)" in text
     assert "it is given that the speed of A immediately after the collision is 3u" in text
+
+
+def test_the_sine_of_an_offset_earns_its_marks_once() -> None:
+    problem, derivation = planned(
+        "sphere A: mass m, radius r, velocity u i\nsphere B: mass m, at rest\n"
+        "A hits B: offset 1.2r, e = 1/3\nfind speed(A), deflection(A)"
+    )
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert text.count("1.2r/(2r)") == 1
+    assert "the line of centres and the path of A: sin θ = 0.6 Let" in text

@@ -69,7 +69,7 @@ CLAIMS = {
             "sphere A: mass 1, velocity 3i + j\nsphere B: mass 2, velocity -i\n"
             "A hits B: along i, e = 1/2\nshow velocity(A) perpendicular to velocity(B)"
         ),
-        "𝐯_A is not perpendicular to 𝐯_B, as 𝐯_A · 𝐯_B = −1.",
+        "𝐯_A is not perpendicular to 𝐯_B, as 𝐯_A · 𝐯_B = −1 ≠ 0.",
     ),
     "one direction": (
         (
@@ -198,7 +198,10 @@ def working(text: str) -> str:
 @pytest.mark.parametrize(
     ("claim", "reason"),
     [
-        ("velocity(A) perpendicular to velocity(A, 0)", "as 𝐯_A · 𝐮_A = 4."),
+        (
+            "velocity(A) perpendicular to velocity(A, 0)",
+            "as 𝐯_A · 𝐮_A = −2 × (5/2) + 3 × 3 = 4 ≠ 0.",
+        ),
         ("velocity(B, 0) parallel to velocity(A)", "as −2𝐢 is not a multiple of −2𝐢 + 3𝐣."),
     ],
 )

@@ -408,3 +408,11 @@ def test_two_masses_are_introduced_together() -> None:
         "given velocity(A) = -i + j, velocity(B) = i\nfind mass(A)/mass(B), e"
     )
     assert "Let m_A and m_B be the masses of A and B." in shown
+
+
+def test_a_speed_that_is_given_beside_a_sense_is_introduced() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u i\nsphere B: mass 2m, velocity -u i\nA hits B: along i\n"
+        "given along(velocity(A), i) < 0, speed(A) = u/2\nfind e"
+    )
+    assert "It is given that the speed of A is u/2 and v < 0. u/2 = −v" in shown

@@ -27,7 +27,15 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.oracle import REAL, Oracle, compared
-from restitution.planning.writing.forms import ZERO, difference, product, square, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -286,14 +294,27 @@ def _apart(
     if not (isinstance(a, Vector) and isinstance(b, Vector)) or 0 in (a.dot(a), b.dot(b)):
         return say("refuted.direction", claim=denied)
     if how == "perpendicular to":
-        link = Link(Quantity("dot", trees), "=", tree_of(tidy(a.dot(b))))
+        links = tuple(_product_in_components(trees, a, b))
     elif tidy(a.cross(b)) != 0:
         left, right = map(naming.layout, worth)
         return say("refuted.no-multiple", claim=denied, left=left, right=right)
     else:
         factor = tree_of(tidy(a.dot(b) / b.dot(b)))
-        link = Link(trees[0], "=", product(factor, trees[1]))
-    return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((link,),))))
+        links = (Link(trees[0], "=", product(factor, trees[1])),)
+    return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation((links,))))
+
+
+def _product_in_components(
+    trees: tuple[Expression, Expression], a: Vector, b: Vector
+) -> Iterator[Link]:
+    """The scalar product of two vectors that is not zero, by their components."""
+    value = tree_of(tidy(a.dot(b)))
+    terms = [product(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True) if p and q]
+    worked = swept(total(terms))
+    yield Link(Quantity("dot", trees), "=", worked)
+    if worked != value:
+        yield Link(worked, "=", value)
+    yield Link(value, "!=", ZERO)
 
 
 def _bearing(note: Note, trees: tuple[Expression, Expression], naming: Naming) -> Sentence | None:

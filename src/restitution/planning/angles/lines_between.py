@@ -215,6 +215,11 @@ def sine_of_an_offset(scene: Scene, asked: Quantity, letter: str, meaning: Ref) 
         return None
     subject = Apply("sin", Letter(letter))
     whole = chain(subject, (own.sine, None), (tree_of(value), "rearrange"))
+    if any(
+        line.move.id == "fact" and fact.id in line.premises and scene.desk.holds(line.number)
+        for line in scene.desk.lines
+    ):
+        whole = chain(subject, (tree_of(value), None))  # the offset is in the line of the centres
     moving = (node for node in asked.arguments if is_quantity(node, "velocity"))
     paths = (f"velocity {node.arguments[0].name}" for node in moving)  # type: ignore[union-attr]
     pool = (fact.id, meaning, *(ref for ref in paths if ref in scene.facts))

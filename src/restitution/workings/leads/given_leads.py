@@ -104,6 +104,9 @@ class GivenLeads(Leads):
             if side is not None:
                 return (say("given.facts", facts=words), side)
             return (say("given.turned", facts=words),)
+        if len(facts) > 1 and line.move.record == "speed":
+            self._given.update(fact.id for fact in facts)
+            return (say("given.facts", facts=tuple(fact_in_words(self._naming, f) for f in facts)),)
         if len(facts) != 1:
             return ()
         (fact,) = facts
