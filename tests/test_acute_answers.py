@@ -168,3 +168,15 @@ def test_an_acute_angle_by_its_cosine_has_that_cosine() -> None:
         theta = answer.value.subs(letter, sp.Rational(e)).evalf(40)
         left = (2 - 3 * e) * sp.cos(theta) - 5 * sp.sin(theta)
         assert abs(left - (1 + e)) < 1e-30
+
+
+def test_what_an_acute_angle_alone_makes_impossible_says_so() -> None:
+    text = """
+wall W: along phi
+sphere Q: mass 3, velocity 3i - 5j
+Q hits W
+given impulse(Q) = 3i + 18j
+find tan(phi)
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "For an acute φ, the other data make it impossible" in shown

@@ -530,6 +530,21 @@ find distance(A, B)
 4 a | define distance | contact 2, 3 | distance(A, B, 2) = 8 - 4 = 4 [rearrange]
 a: 4 distance(A, B, 2) = 4
 """,
+    "rests-asked": """
+wall W: along j, through (8, 0)
+sphere A: mass 1, at (0, 0), velocity 2i
+sphere B: mass 1, at (4, 0), at rest
+A hits B: along i, e = 1
+B hits W: e = 1/2
+find position(A, 2), distance(position(A, 2), (9, 0))
+---
+1 a | law unchanged 1 A | velocity A, axis 1 | across(velocity(A, 1), line_of_centres(1)) = 0
+2 a | law restitution 1 A B | velocity A, axis 1 | along(velocity(A, 1), line_of_centres(1)) = 0
+3 a | define straight-line 2 A | contact 1, 1, 2 | position(A, 2) = 4i
+4 b | define distance | 3 | distance(position(A, 2), (9, 0)) = 9 - 4 = 5 [rearrange]
+a: 3 position(A, 2) = 4i
+b: 4 distance(position(A, 2), (9, 0)) = 5
+""",
     # Two bodies that are at one place at the start.
     "at-once": """
 sphere A: mass 2, at (0, 0), velocity u i
@@ -857,6 +872,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
     ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),
     ("place-at-rest", "rests", 3, "", "", ""),
+    ("place-at-rest-asked", "rests-asked", 3, "A1", "A1", "A1"),
+    ("distance-at-rest", "rests-asked", 4, "A1ft", "A1ft", "A1ft"),
     ("time-of-no-way", "at-once", 1, "B1", "B1", "B1"),
     ("place-in-an-open-time", "touch", 1, "", "", ""),
     ("equation-of-a-contact", "touch", 2, "M1", "M1", "M1"),

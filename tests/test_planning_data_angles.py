@@ -65,7 +65,7 @@ SAYS = {
     "in the greatest difference, over an angle": (
         WALL.format(line="i", velocity="u at alpha to W", e=": e = 1/3")
         + f"find maximum of {BEFORE} - {AFTER} over alpha",
-        ["Let δ = α − β.", "greatest value of δ = 30°, when α = 60°"],
+        ["Let δ = α − β.", "greatest value of δ = 30°, when √3 − tan α = 0, so α = 60°"],
     ),
     "in the greatest difference of spheres": (
         SPHERES.format(m="2m", velocity="u at alpha", e=", e = 1/2")

@@ -47,6 +47,21 @@ SAYS = {
         REST.format(u="u i", mass="M", more="", e="") + "show energy(B) <= energy(0)",
         ("m² + mM(1 − 2e − e²) + M² ≥ m² − 2mM + M² = (m − M)², as 0 ≤ e ≤ 1",),
     ),
+    # For n < 3 the speed of B may be more than u/2.
+    "what is left is more than a given bound makes positive": (
+        REST.format(u="u at theta", mass="n m", more="given n >= 3", e="")
+        + "show speed(B) < 1/2 u",
+        (
+            "½u − speed of B = u(1 + n − 2(1 + e) cos θ)/(2(n + 1))",
+            "1 + n − 2(1 + e) cos θ > 1 + n − 4 = n − 3, as 0 ≤ e ≤ 1 and θ is acute",
+            "speed of B < ½u, as n ≥ 3",
+        ),
+    ),
+    "a sign by a bound that is given of a mass": (
+        REST.format(u="u at alpha", mass="k m", more="given k > 5/2", e=", e = 2/5")
+        + "show along(velocity(A), i) < 0",
+        ("v = (5 − 2k)u cos α/(5(1 + k))", "v < 0, as α is acute and k > 5/2"),
+    ),
     "the velocity of the one that is caught up": (
         TWO.format(u="u i", mass="M", v="velocity v i", more="given u > v", e="")
         + "show along(velocity(B), i) > v",

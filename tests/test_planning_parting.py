@@ -101,3 +101,17 @@ def test_a_sine_or_cosine_of_an_angle_after_gives_its_tangent() -> None:
     working = printed(OF_A_COSINE)
     assert "Let β be the angle between 𝐯_P and W." in working
     assert "tan β = ¾" in working
+
+
+def test_cases_end_with_what_they_come_to() -> None:
+    assert printed(BOTH_MOVE).endswith("So u = 6 and v = 4, or u = −2 and v = −4.")
+    masses = """
+sphere A: mass m, velocity 4u at 60°
+sphere B: mass n m, velocity -3/2 u i
+A hits B: along i
+given direction(A) = 120°, speed(B) = 1/2 u
+find n, e
+"""
+    assert printed(masses).endswith(
+        "So n = 2 and e = 5/7, or n = 4 and e = 3/7. Both are possible, as 0 ≤ e ≤ 1."
+    )

@@ -546,7 +546,7 @@ find maximum of alpha - beta over alpha
     last = working.split("(b)")[1]
     assert last.startswith(" Let δ = α − β. From (1): tan δ = 2 tan α/(3 + tan²α)")
     assert "tan δ ≤ √3/3 δ ≤ 30°, as −90° < δ < 90°" in last
-    assert "greatest value of δ = 30°, when α = 60°" in last
+    assert "greatest value of δ = 30°, when √3 − tan α = 0, so α = 60°" in last
 
 
 def test_a_velocity_at_right_angles_to_a_wall_is_shown_by_the_component_that_is_0() -> None:

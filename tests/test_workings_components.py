@@ -154,3 +154,17 @@ def test_the_normal_of_a_wall_points_towards_it_for_who_was_struck() -> None:
     assert "Components before the impact, as 𝐯_B1 = 3𝐢 from part (a): 𝐯_B1 · 𝐧 = 3(√2/2)" in text
     assert text.count("B was at rest") == 1
     assert "cos β = ((42 + √14)/8)/((5/2) × (5/2))" in text
+
+
+def test_components_of_who_takes_no_part_in_an_impact_are_not_before_it() -> None:
+    statement = """
+sphere P: mass m, velocity u i
+sphere Q: mass 2m, at rest
+wall W: along j
+P hits Q: along 30°, e = 3/4
+Q hits W
+given velocity(Q) perpendicular to velocity(P, 1)
+find e
+"""
+    text = " ".join(to_text(explain(solve(parse(statement + "unknown e")), marks="none")).split())
+    assert "Components of 𝐯_P: component of 𝐯_P along 𝐢" in text

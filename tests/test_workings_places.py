@@ -128,3 +128,17 @@ def test_a_distance_at_the_time_of_an_event_is_by_the_places_there() -> None:
 def test_a_place_after_an_event_rests_on_what_it_needs() -> None:
     statement = parse(APART + "find distance(A, B, at time(2) + 1)")
     assert explain(solve(statement), check=True).followed
+
+
+def test_what_is_at_rest_goes_no_distance() -> None:
+    text = printed("""
+sphere P: mass m, velocity 3v i, at (0, 0)
+sphere Q: mass 3m, at rest, at (2d, 0)
+wall W: along j, through (5d, 0)
+P hits Q: along i, e = 1/3
+Q hits W: e = 1/4
+find position(P, 2), distance(position(P, 2), (5d, 0))
+""")
+    assert "P is at rest, so it stays where it is: position of P at the second impact" in text
+    assert "distance between P and (5d, 0) at the second impact = 5d − 2d = 3d" in text
+    assert "speed × time" not in text

@@ -153,3 +153,52 @@ def test_why_neither_of_two_roots_is_rejected(statement: str, reason: str) -> No
     working = explain(solve(parse(statement)), marks="none", check=True)
     assert not working.warnings
     assert reason in " ".join(to_text(working).split())
+
+
+# (1 + e)√(4a² − h²) = 2a has two roots that are opposite: both satisfy it.
+def test_a_root_of_a_positive_letter_is_rejected_by_its_sign() -> None:
+    statement = """
+sphere P: mass m, velocity u i, radius a
+sphere Q: mass m, at rest
+P hits Q: offset h
+part a
+given speed(Q) = 2/3 u
+find h
+part b
+given h = a, e = 2/3
+find speed(Q)
+"""
+    shown = " ".join(to_text(explain(solve(parse(statement)), marks="none")).split())
+    assert "as h is positive and e ≥ 0" in shown
+    assert "does not satisfy" not in shown
+
+
+# 8(n − 1)/n = (9n + 17)/10.
+def test_two_roots_are_possible_by_the_coefficient_that_they_give() -> None:
+    statement = """
+sphere P: mass m, velocity 4u i + u j
+sphere Q: mass n m, velocity 3u j
+P hits Q: along i
+given velocity(P) perpendicular to line_of_centres
+part a
+show e = 1/n
+part b
+given energy_lost = 1/5 energy(0)
+find n
+"""
+    shown = " ".join(to_text(explain(solve(parse(statement)), marks="none")).split())
+    assert "(both are possible: e = 1/n gives e = 3/16 or e = ⅗, and 0 ≤ e ≤ 1)" in shown
+
+
+# w = −u would make 2mu − nmu = −2mu − nmu.
+def test_a_root_that_leaves_nothing_of_an_equation_is_rejected_by_it() -> None:
+    statement = """
+sphere A: mass m, velocity 4u at 60°
+sphere B: mass n m, velocity -u i
+A hits B: along i
+given direction(A) = 120°, speed(B) = u
+find n
+"""
+    working = explain(solve(parse(statement)), marks="none", check=True)
+    assert not working.warnings
+    assert "w = u, as w = −u does not satisfy (2)" in " ".join(to_text(working).split())

@@ -74,7 +74,8 @@ def _with_hint(item: ItemResult, name: str) -> ItemResult:
         f"'given {name} < 180°' if that is meant"
     )
     own = type(error)(f"{error.message}; {hint}", error.line, error.column)
-    own.fixes, own.because = error.fixes, error.because or error.message
+    own.fixes = error.fixes
+    own.because = f"for an acute {shown}, {error.because or error.message}"
     return replace(item, error=own)
 
 

@@ -69,6 +69,7 @@ from restitution.workings.naming.senses_of_walls import in_senses_of_walls
 from restitution.workings.naming.sources import Sources
 from restitution.workings.naming.sums_in_degrees import FIGURES_OF_ANSWERS, degrees_of, is_inverse
 from restitution.workings.noted import Notes
+from restitution.workings.reasons.possible_roots import cases_together
 from restitution.workings.reasons.premises import Reasons
 from restitution.workings.reasons.pythagoras import is_arithmetic
 from restitution.workings.rendering.explanation import Explanation
@@ -304,6 +305,9 @@ class _Writer:
             yield from self._conditioned(line, step)
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
+        together = cases_together(self.derivation, self.naming, self.measures, label)
+        if together is not None:
+            yield Step("note", sentences=(together,))
         yield from self._spare(label)
 
     def _heads(self, lines: Sequence[Line], index: int) -> Line:

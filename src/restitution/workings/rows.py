@@ -6,8 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-import sympy as sp
-
 from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.opposite_roots import root_but_for_sign
@@ -22,16 +20,13 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
-    is_quantity,
     letters,
     unsigned,
     walk,
 )
-from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import tree_of
 from restitution.problem import Value
 from restitution.render import layout as lay
-from restitution.solving.story.letters import roles
 from restitution.workings.chain_sides import is_value, sign_of
 from restitution.workings.chains import WORDS, Chains
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
@@ -48,6 +43,7 @@ from restitution.workings.naming.row_sides import (
     are_values,
 )
 from restitution.workings.naming.sums_in_degrees import degrees_of
+from restitution.workings.reasons.possible_roots import why_possible
 from restitution.workings.rendering.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.
@@ -173,7 +169,7 @@ class Rows(Chains):
                 yield say("derived.gained")
             excluded = conditioned or self._is_refused(line)
             if are_values(line.relation) and not excluded and line.move.record != "either-side":
-                yield self._possible(line.relation)
+                yield why_possible(self._derivation, self._naming, line)
 
     def _is_refused(self, line: Line) -> bool:
         """Whether none of the values in a line can be."""
@@ -181,28 +177,6 @@ class Rows(Chains):
             note.kind == "impossible" and line.number in note.lines
             for note in self._derivation.notes
         )
-
-    def _possible(self, relation: Relation) -> Sentence:
-        """Why both of two values hold, where that is seen; that all do, where there are more."""
-        if len(relation.options) != 2:
-            return say("derived.all-possible")
-        left = relation.options[0][0].left
-        values = [worth(links[-1].right) for links in relation.options]
-        positive = all(value.is_positive for value in values)
-        inside = left.argument if isinstance(left, Apply) else left
-        role = roles(self._naming.problem).get(inside.name) if isinstance(inside, Letter) else None
-        match left, role:
-            case Letter(), Role("restitution") if all(value.is_nonnegative for value in values):
-                return say("derived.both-coefficients")
-            case Letter(), Role("real") if not positive and any(v.is_positive for v in values):
-                return say("derived.either-sign", letter=self._naming.layout(left))
-            case Letter(), Role("positive"):
-                bounded = positive
-            case Apply("tan"), Role("angle"):
-                bounded = positive and role.high == sp.pi / 2
-            case _:
-                bounded = positive and is_quantity(left, "speed", "mass")
-        return say("derived.both-positive" if bounded else "derived.both-possible")
 
     def _is_gain(self, line: Line) -> bool:
         """Whether a loss of kinetic energy that was asked is a negative number."""

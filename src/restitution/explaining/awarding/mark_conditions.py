@@ -9,6 +9,7 @@ from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR
 from restitution.explaining.awarding.place_conditions import (
     another_chord,
     at_another_time,
+    between_at_rest,
     goes_on,
     open_place,
     put_together,
@@ -688,6 +689,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-one-body": _of_one_body,
     "of-an-offset": _of_an_offset,
     "restated": restated,
+    "distance-at-rest": between_at_rest,
     "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
     "open-place": open_place,

@@ -146,6 +146,7 @@ RULES: tuple[Rule, ...] = (
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
     _rule("distance-restated", ("define",), "", ("distance",), ("restated",)),
+    _rule("distance-at-rest", ("define",), "B", ("distance",), ("distance-at-rest",)),
     _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
     _rule("product-read-off", ("define",), "", ("product",), ("of-one-component",)),
     _rule(
@@ -175,6 +176,7 @@ RULES: tuple[Rule, ...] = (
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("time-of-no-way", ("define",), "", ("straight-line",), ("zero", "time")),
     _rule("place-at-rest", ("define",), "", ("straight-line",), ("at-rest", "on-the-way")),
+    _rule("place-at-rest-asked", ("define",), "B", ("straight-line",), ("at-rest",)),
     _rule("place-in-an-open-time", ("define",), "", ("straight-line",), ("open-place",)),
     _rule(
         "place-by-a-path-on-the-way",

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from restitution.explaining.awarding.work import Work, subject_of
 from restitution.explaining.data.restated import axis_restated
+from restitution.explaining.data.resting import body_that_rests
 from restitution.explaining.lines.derivation import Line, Relation
 from restitution.expression.tree import (
     AtTime,
@@ -142,9 +143,15 @@ def restated(work: Work, line: Line) -> bool:
     return axis_restated(work.derivation, line) is not None
 
 
+def between_at_rest(work: Work, line: Line) -> bool:
+    """A distance from where a body stays that is at rest, of which no other line tells a place."""
+    return body_that_rests(work.derivation, line) is not None
+
+
 __all__ = [
     "another_chord",
     "at_another_time",
+    "between_at_rest",
     "goes_on",
     "open_place",
     "put_together",

@@ -1,9 +1,9 @@
-"""Whether a line about a place is of a body that rests."""
+"""Whether a line about a place, or a distance from one, is of a body that rests."""
 
 from __future__ import annotations
 
-from restitution.explaining.lines.derivation import Derivation, Line, Relation
-from restitution.expression.tree import Letter, Pair, Quantity, is_zero
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.expression.tree import Letter, Name, Pair, Quantity, is_zero
 
 
 def is_of_a_body_at_rest(derivation: Derivation, line: Line) -> bool:
@@ -30,3 +30,13 @@ def is_of_a_body_at_rest(derivation: Derivation, line: Line) -> bool:
             case Quantity("velocity") | Quantity("along" | "across", (Quantity("velocity"), _)):
                 still.append(is_zero(own.relation.only[-1].right))
     return bool(still) and all(still)
+
+
+def body_that_rests(derivation: Derivation, line: Line) -> str | None:
+    """The body at rest from whose place a line gives a distance, where that is all it rests on."""
+    if len(line.premises) != 1:
+        return None
+    match derivation.lines_in(line.premises):
+        case [Line(relation=Relation(((Link(Quantity("position", (Name(body),))), *_),))) as place]:
+            return body if is_of_a_body_at_rest(derivation, place) else None
+    return None

@@ -13,7 +13,15 @@ from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.trees import settled
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, letters
-from restitution.oracle.roles import ACUTE, DIRECTION, REAL, TO_180, Role, of_two_angles
+from restitution.oracle.roles import (
+    ACUTE,
+    DIRECTION,
+    POSITIVE,
+    REAL,
+    TO_180,
+    Role,
+    of_two_angles,
+)
 from restitution.records import dataclass
 
 TO_90 = Role("angle", sp.Integer(0), sp.pi / 2, (True, True))
@@ -171,8 +179,11 @@ class Setting:
 
     @cached_property
     def silent(self) -> Mapping[str, Role]:
-        """What may be used of letters without a word: that masses, speeds, lengths are positive."""
-        return {n: role if role.kind == "positive" else REAL for n, role in self.roles.items()}
+        """What may be used of letters without a word: that masses, speeds, lengths are positive.
+
+        A closer bound that is given of such a letter is a reason, and has to be cited.
+        """
+        return {n: POSITIVE if role.kind == "positive" else REAL for n, role in self.roles.items()}
 
     @cached_property
     def spheres(self) -> tuple[str, ...]:

@@ -59,6 +59,11 @@ def rejected(
     bare = _likely(scene, symbol, own)
     if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
+    with_others = (*own, *background(scene, _others(scene, line, symbol)))
+    if not component and len(with_others) > len(own):
+        refs = scene.judge.enough(move, (line,), relation, with_others)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     unsquared = _unsquared(scene, line, symbol)
     if unsquared:
         refs = scene.judge.enough(move, (line,), relation, (*unsquared, *own))
@@ -107,6 +112,12 @@ def rejected(
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)
+
+
+def _others(scene: Scene, line: int, symbol: sp.Symbol) -> set[str]:
+    """The letters in the values of some roots."""
+    options = scene.desk.relation(line).options
+    return {name for links in options for name in letters(links[-1].right)} - {symbol.name}
 
 
 def _tied_letters(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:

@@ -1,4 +1,7 @@
-"""What is left to a bound, where its sign is not seen: by the ends of letters it is a square."""
+"""What is left to a bound, where its sign is not seen: what it is at the ends of letters.
+
+There it is a square, or the difference of a letter and a bound that is given of it.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Expression, Letter, is_binary, walk
+from restitution.oracle.roles import ACUTE
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import factors, outer_terms, total, tree_of
 from restitution.planning.writing.polynomials import derivative, expanded, polynomial_in
@@ -24,8 +28,9 @@ def write_least(
 ) -> int | None:
     """The line that what is left is at least a square: (1 + k)² − 4ek ≥ (1 + k)² − 4k = (1 − k)².
 
-    It is a factor of what a line comes to. None where each factor shows its sign, or comes to no
-    square.
+    Or it is more than what a bound given of a letter makes positive, as k ≥ 1 does of
+    1 + k − (1 + e) cos α > 1 + k − 2 = k − 1. It is a factor of what a line comes to. None where
+    each factor shows its sign, or comes to neither.
     """
     scene = claims.scene
     right = scene.desk.last_link(difference).right
@@ -37,7 +42,9 @@ def write_least(
     ((tree, own),) = open_
     worst = dict(_worst_ends(scene, own))
     whole = sp.factor(expanded(own).subs(worst))
-    if not worst or _is_evident(scene, whole.expand()) or not _is_of_squares(scene, whole):
+    if not worst or _is_evident(scene, whole.expand()):
+        return None
+    if not _is_of_squares(scene, whole) and not _is_of_given_bounds(scene, whole):
         return None
     first, last = _put(scene, tree, worst), tree_of(whole)
     orders: tuple[Sign, ...] = (">", ">=") if sign == ">" else (">=",)
@@ -109,7 +116,7 @@ def _put(scene: Scene, tree: Expression, worst: dict[sp.Expr, sp.Expr]) -> Expre
 
 
 def _generators(scene: Scene, x: sp.Expr) -> Iterator[sp.Expr]:
-    """The coefficients and the squares of sines and cosines in an expression: from 0 to 1."""
+    """The coefficients, sines and cosines, or squares of these, that are from 0 to 1."""
     known = roles(scene.problem)
     for symbol in sorted(x.free_symbols, key=str):
         role = known.get(symbol.name)
@@ -118,10 +125,12 @@ def _generators(scene: Scene, x: sp.Expr) -> Iterator[sp.Expr]:
     for ratio in sorted(x.atoms(sp.sin, sp.cos), key=str):
         if not x.subs(ratio**2, sp.Dummy()).has(ratio):
             yield ratio**2
+        elif known.get(str(ratio.args[0])) == ACUTE:
+            yield ratio
 
 
 def _worst_ends(scene: Scene, x: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """At which end of each coefficient, or of a square of a ratio, an expression is least."""
+    """At which end of each coefficient, or of a ratio or its square, an expression is least."""
     for generator in _generators(scene, x):
         inside = sp.Dummy("x", positive=True)
         slope = derivative(x.subs(generator, inside), inside).subs(inside, generator)
@@ -147,6 +156,16 @@ def _is_of_squares(scene: Scene, x: sp.Expr) -> bool:
     return all(
         factor.as_base_exp()[1] % 2 == 0 or not factor.is_Add or _is_evident(scene, factor)
         for factor in (*sp.Mul.make_args(above), *sp.Mul.make_args(below))
+    )
+
+
+def _is_of_given_bounds(scene: Scene, x: sp.Expr) -> bool:
+    """Whether the factors of a product that show no sign are linear in a letter that is bounded."""
+    own = [e for e in sp.Mul.make_args(x) if e.is_Add and not _is_evident(scene, e)]
+    return bool(own) and all(
+        len(e.free_symbols) == 1
+        and all(scene.judge.ranges_given(s.name) and sp.degree(e, s) == 1 for s in e.free_symbols)
+        for e in own
     )
 
 

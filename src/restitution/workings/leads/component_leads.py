@@ -101,7 +101,7 @@ class ComponentLeads(LinesAround):
         """What is said before components: of which time they are."""
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:
-            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), axis)):
+            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)) as own, axis)):
                 event = self._naming.event_of_axis(axis)
                 if event is None and stage < (line.move.event or 0):
                     event = self._naming.events.get(line.move.event or 0)
@@ -120,6 +120,8 @@ class ComponentLeads(LinesAround):
                 return None
         if event is None:
             return None
+        if not set(line.move.bodies) & set(event.bodies):
+            return _components("resolved.of-another", velocity=self._naming.layout(own))
         bold = self._naming.bold
         named = bold.has_unit(event.number) or bold.is_read_off(event.number)
         direction = None if named else bold.direction(event.number, "across")

@@ -174,10 +174,7 @@ def under_one_root(tree: Expression) -> Expression:
 
 
 def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression | None:
-    """A sum whose square is in the lines above, and which is zero at a place.
-
-    None without one, and of one that says no more than the place.
-    """
+    """A sum whose square is in the lines above, and which is zero at a place; None without one."""
     try:
         left, right = (in_letters(side, positive=True) for side in (place.left, place.right))
         for above in _above(derivation, line):
@@ -187,8 +184,7 @@ def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression
                         case Binary("^", Binary("+" | "-") as base, Number(power)) if power == 2:
                             own = in_letters(base, positive=True)
                             if own.has(left) and tidy(own.subs(left, right)) == 0:
-                                plain = sp.expand(own**2 - (left - right) ** 2) == 0
-                                return None if plain else base
+                                return base
     except RestitutionError:
         return None
     return None

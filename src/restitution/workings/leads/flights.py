@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from restitution.explaining.data.restated import axis_restated
-from restitution.explaining.data.resting import is_of_a_body_at_rest
+from restitution.explaining.data.resting import body_that_rests, is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
     Derivation,
     Event,
@@ -293,6 +293,9 @@ def distance_title(derivation: Derivation, naming: Naming, line: Line) -> Senten
     axis = axis_restated(derivation, line)
     if axis is not None:
         return say("distance.along-one", axis="x" if axis.axis == "i" else "y")
+    resting = body_that_rests(derivation, line)
+    if resting is not None:
+        return say("flight.rest", body=resting)
     match line.relation:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event and not _is_a_coordinate(derivation, line)

@@ -170,6 +170,32 @@ def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ..
     return dropped[0], cited[1]
 
 
+def root_against_a_law(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
+    """The one root that a line rejects, and the equation that it makes false for all letters.
+
+    ``w = −u`` in ``2mu − nmu = −2mu + nmw`` leaves 4mu = 0.
+    """
+    assert isinstance(line.relation, Relation)
+    cited = numbers_in(line.premises)
+    if line.move.id != "reject" or len(cited) != 2 or len(line.premises) != 2:
+        return None
+    roots, equations = derivation.line(line.premises[0]), list(equations_of(derivation, line))
+    if roots is None or not isinstance(roots.relation, Relation) or len(equations) != 1:
+        return None
+    dropped = [option for option in roots.relation.options if option not in line.relation.options]
+    if len(dropped) != 1 or not isinstance(dropped[0][0].left, Letter):
+        return None
+    root = sp.Symbol(dropped[0][0].left.name, positive=True)
+    try:
+        value, *sides = (
+            in_letters(side, positive=True) for side in (dropped[0][-1].right, *equations[0])
+        )
+    except (RestitutionError, TypeError):
+        return None
+    gap = sp.factor(sp.expand((sides[0] - sides[1]).subs(root, value)))
+    return (dropped[0], int(line.premises[1])) if gap.is_nonzero else None
+
+
 def made_by_a_root(
     derivation: Derivation, line: Line, dropped: Sequence[Link], bound: Link
 ) -> tuple[Relation, ...]:
@@ -270,4 +296,4 @@ def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expressio
                 yield links[0].left, links[-1].right
 
 
-__all__ = ["bound_broken", "made_by_a_root", "root_of_a_square"]
+__all__ = ["bound_broken", "made_by_a_root", "root_against_a_law", "root_of_a_square"]

@@ -9,7 +9,9 @@ from restitution.explaining.lines.derivation import (
     Link,
     Relation,
 )
+from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -100,6 +102,23 @@ class PositiveReasons(Known):
         component = kind in ("along", "across", "dot")
         if not component and (meaning is not None or self.is_positive(left.name)):
             yield say("derived.positive", letter=self._naming.layout(left))
+
+    def _by_its_own_sign(self, line: Line) -> bool:
+        """Whether a root is rejected by what it may be itself, and the ranges of other letters."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        ranges = [ref for ref in line.premises[1:] if isinstance(ref, str)]
+        if len(ranges) < len(line.premises) - 1 or not isinstance(left, Letter):
+            return False
+        return not any(self._derivation.fact(e) is not None or self._is_of(e, left) for e in ranges)
+
+    def _is_of(self, ref: str, letter: Letter) -> bool:
+        """Whether what is known of letters, as a premise says it, is about one of them."""
+        head, colon, text = ref.partition(":")
+        if colon and head.strip() == "acute":
+            return letter in set(walk(read_tree(text, self._naming.bodies)))
+        trees = trees_of(read_relation(ref, self._naming.bodies))
+        return any(letter in set(walk(tree)) for tree in trees)
 
     def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
         """The signs of letters by which a reader sees that a sum is positive."""

@@ -238,8 +238,8 @@ class Reasons(PositiveReasons):
             and (unit := along_its_unit(self._derivation, self._naming, line)) is not None
         ):
             reasons = () if grounds else (unit,)
-        if line.move.id == "reject" and not reasons:
-            reasons = tuple(self._positive(line))
+        if line.move.id == "reject" and (not reasons or self._by_its_own_sign(line)):
+            reasons = (*self._positive(line), *reasons)
         return reasons
 
     def _in_words(self, line: Line, reasons: Words) -> tuple[Sentence, ...]:

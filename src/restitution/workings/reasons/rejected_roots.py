@@ -22,7 +22,12 @@ from restitution.render import layout as lay
 from restitution.workings.naming.figures import Figures, is_by_calculator
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.rejected import bound_broken, made_by_a_root, root_of_a_square
+from restitution.workings.naming.rejected import (
+    bound_broken,
+    made_by_a_root,
+    root_against_a_law,
+    root_of_a_square,
+)
 from restitution.workings.naming.sources import Sources
 
 
@@ -40,7 +45,12 @@ def made_of_a_root(
         return say("derived.no-root", value=root, equation=number)
     broken = bound_broken(derivation, line) if line.move.id == "reject" else None
     if broken is None:
-        return None
+        against = root_against_a_law(derivation, line)
+        if against is None or against[1] not in sources.numbers:
+            return None
+        root = naming.relation(_with_a_calculator(Relation((against[0],))))
+        number = say("derived.number", number=str(sources.numbers[against[1]]))
+        return say("derived.no-root", value=root, equation=number)
     dropped, bound = broken
     values = made_by_a_root(derivation, line, dropped, bound)
     source = sources.of(line)

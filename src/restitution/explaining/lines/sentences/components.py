@@ -41,6 +41,7 @@ SENTENCES: Mapping[str, str] = {
         "{wall} is at {angle} to {axis}. {components:capital} before the impact:"
     ),
     "resolved-wall.after-units": "{components:capital} after the impact:",
+    "resolved.of-another": "{components:capital} of {velocity}:",
     "resolved.several": "components",
     "resolved.one": "component",
     "resolved.several-products": "scalar products",
