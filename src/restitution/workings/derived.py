@@ -305,9 +305,9 @@ class _Writer:
             yield from self._conditioned(line, step)
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
-        together = cases_together(self.derivation, self.naming, self.measures, label)
-        if together is not None:
-            yield Step("note", sentences=(together,))
+        summary = cases_together(self.derivation, self.naming, self.measures, label)
+        if summary is not None:
+            yield Step("note", sentences=(summary,))
         yield from self._spare(label)
 
     def _heads(self, lines: Sequence[Line], index: int) -> Line:
