@@ -72,11 +72,11 @@ def _coefficient(
         facts = derivation.facts_in(lines_under(derivation, own.number))
         if letters(value) != letters(left) or any(f.part not in (None, part) for f in facts):
             continue
-        made = [exchanged(value, {left: links[-1].right}) for links in line.relation.options]
-        numbers = [tidy(worth(tree)) for tree in made]
+        outcomes = [exchanged(value, {left: links[-1].right}) for links in line.relation.options]
+        numbers = [tidy(worth(tree)) for tree in outcomes]
         if all(number.is_Rational and 0 <= number <= 1 for number in numbers):
-            outcomes = tuple((Link(e, "=", tree_of(number)),) for number in numbers)
-            return equality(e, value), Relation(outcomes)
+            options = tuple((Link(e, "=", tree_of(number)),) for number in numbers)
+            return equality(e, value), Relation(options)
     return None
 
 
