@@ -1222,7 +1222,7 @@ A hits B: along i
 given impulse = 4m u
 find velocity(A), velocity(B)
 """
-OFFSET = """
+HALF_OFFSET = """
 sphere A: mass m, velocity u i, radius r
 sphere B: mass m, at rest, radius r
 A hits B: offset 0.48 r, e = 1/2
@@ -1238,7 +1238,7 @@ v + w = 0.877u
 w - v = 0.4386u
 w = 0.658u, v = 0.219u
 speed of A = √(0.219² + 0.48²) u = 0.528u"""
-    marking = restitution.mark(restitution.parse(OFFSET), working, letters=letters)
+    marking = restitution.mark(restitution.parse(HALF_OFFSET), working, letters=letters)
     assert marking.json()["lines"][0]["verdict"] == "false"
     assert marking.mistakes == ()
     states = {(p.point.letter, p.point.principle): p.state for p in marking.marks.points}

@@ -63,6 +63,11 @@ def test_hints_and_the_working_are_there():
     assert attempt is None
 
 
+def test_a_hint_for_a_line_says_for_which():
+    shown = talk(QUESTION, "10 cos 40 = 7.66", "speed = 2", "hint", "quit")[0]
+    assert "Line 2: " in shown
+
+
 def test_a_hint_asked_again_is_longer():
     one, two, three = (talk(QUESTION, *["hint"] * n, "quit")[0] for n in (1, 2, 3))
     before = len(talk(QUESTION, "quit")[0])

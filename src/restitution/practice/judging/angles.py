@@ -1,4 +1,4 @@
-"""Angles that are not named: ``tan = 3/4``, ``direction 30°``, and what they may be."""
+"""Angles that are added up, and what those may be that are not named: ``tan = 3/4``."""
 
 from __future__ import annotations
 
@@ -6,15 +6,20 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from restitution.explaining.lines.trees import exchanged
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
+    Apply,
     Binary,
     Expression,
     Letter,
     Negate,
+    Quantity,
+    is_binary,
+    walk,
 )
-from restitution.practice.judging.entries import names_of
+from restitution.practice.judging.entries import Entry, names_of
 from restitution.practice.letters.candidates import TURNS, Candidate
 from restitution.practice.reading.phrase_names import UNNAMED_ANGLE, UNNAMED_DIRECTION
 from restitution.practice.script import Claim
@@ -46,3 +51,12 @@ def with_angles(
             put: dict[Expression, Expression] = {Letter(name): form for name in _UNNAMED}
             left, right = (exchanged(side, put) for side in (claim.left, claim.right))
             yield form, replace(claim, left=left, right=right)
+
+
+def is_sum_of_angles(entry: Entry) -> bool:
+    """Whether a claim gives an angle as a sum of angles: no law of an impact is in it."""
+    left, right = entry.claim.left, entry.claim.right
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    angle = any(isinstance(node, Quantity) and node.kind in ANGLES for node in walk(meant))
+    sums = is_binary(right, "+", "-")
+    return angle and sums and not any(isinstance(node, Apply | Letter) for node in walk(right))

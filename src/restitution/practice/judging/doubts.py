@@ -34,7 +34,6 @@ from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
-from restitution.practice.letters.options import staged
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
@@ -204,8 +203,7 @@ class Doubts:
 
     def _asked_trees(self) -> list[Expression]:
         """What the part asks for, each at its moment."""
-        problem, part = self.bench.problem, self.bench.solved.part
-        return [staged(tree, problem, part, n) for tree, n in self.bench.wanted.asked]
+        return self.bench.wanted.trees(self.bench.problem, self.bench.solved.part)
 
     def _asked_angles(self) -> list[Expression]:
         """The angles that the part asks for, or the sine, cosine or tangent of which."""

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Negate,
     Pair,
     Quantity,
+    has_unit_vector,
     is_quantity,
     unsigned,
 )
@@ -365,7 +366,12 @@ class Holding:
     def _by_vectors(
         self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
     ) -> JudgedLink | None:
-        """A component in words by a scalar product with a vector that is no unit vector."""
+        """A component in words by a scalar product with a vector that is no unit vector.
+
+        Where a wrong vector stands above it is along another line.
+        """
+        if any(entry.wrong and has_unit_vector(entry.claim.right) for entry in self.entries):
+            return None
         for claim in link.readings:
             left = claim.left
             meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    has_operator,
     is_binary,
     is_quantity,
     walk,
@@ -27,6 +28,7 @@ from restitution.practice.judging.entries import (
 )
 from restitution.practice.judging.explained import JudgedSoFar
 from restitution.practice.judging.slips import Correction, corrections
+from restitution.practice.reading.phrase_names import is_phrase, is_vague
 from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -99,8 +101,15 @@ def kind_of_slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction])
             return None
         if not entry.is_value:
             return "algebra"
+        if _is_of_something(claim.left) and has_operator(claim.right, "+", "-"):
+            return None  # of which size it is, or angle, is not said, nor which number is another
         return None if _is_formula_in_numbers(claim.right) else "arithmetic"
     return None
+
+
+def _is_of_something(label: Expression) -> bool:
+    """Whether a label says what kind of value it is, and not of what."""
+    return isinstance(label, Letter) and is_phrase(label.name) and is_vague(label.name)
 
 
 def _is_of_geometry(entry: Entry, world: World) -> bool:

@@ -21,7 +21,6 @@ from restitution.explaining.mistakes.misconceptions import (
 )
 from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Degrees,
     Expression,
@@ -36,6 +35,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.angles import is_sum_of_angles
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
@@ -173,6 +173,8 @@ class Names:
             )
         plainer = whole or law or (unresolved and not variants)
         slip = kind_of_slip(entry, judge, mended)
+        if slip == "arithmetic" and is_sum_of_angles(entry) and not _is_deflection(entry):
+            slip = None  # which angles they are is wrong, and not their sum
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
         nearest, near = _near(entry, judge, mended) if idle or slip else (None, ())
@@ -197,7 +199,8 @@ class Names:
         if (blown := of_given_impulse(entry, judge.base)) is not None:
             variants, plain = (), blown
         if families != {"sine-cosine"} and is_sine_for_cosine(entry, judge.base):
-            variants, plain = (), "sine-cosine"
+            variants = tuple(variant for variant in variants if variant.mistake in _OF_ANGLES)
+            plain = None if variants else "sine-cosine"
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:
@@ -668,15 +671,6 @@ def _is_of_a_whole_speed(variant: VariantAt, world: World) -> bool:
 def _replaces(variant: VariantAt, law: str) -> bool:
     """Whether a variant has another law in place of one."""
     return any(other.law == law for other in variant.laws)
-
-
-def is_sum_of_angles(entry: Entry) -> bool:
-    """Whether a claim gives an angle as a sum of angles: no law of an impact is in it."""
-    left, right = entry.claim.left, entry.claim.right
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    angle = any(isinstance(node, Quantity) and node.kind in ANGLES for node in walk(meant))
-    sums = is_binary(right, "+", "-")
-    return angle and sums and not any(isinstance(node, Apply | Letter) for node in walk(right))
 
 
 def is_worked_angle(entry: Entry) -> bool:

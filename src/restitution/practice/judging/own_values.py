@@ -53,7 +53,6 @@ from restitution.practice.judging.vector_momentum import (
 )
 from restitution.practice.judging.written_laws import with_written_law
 from restitution.practice.letters.candidates import Candidate
-from restitution.practice.letters.options import staged
 from restitution.practice.letters.slots import same_size
 from restitution.practice.reading.phrase_names import is_phrase, is_vague
 from restitution.practice.reading.relations import worked_out
@@ -173,8 +172,7 @@ class OwnValues(Holding):
         if not is_phrase(left.name) or not is_vague(left.name):
             return False
         meant = self.meanings(line.number).get(left.name)
-        wanted = self.question.wanted.asked
-        asked = [staged(tree, base.problem, base.part, now) for tree, now in wanted]
+        asked = self.question.wanted.trees(base.problem, base.part)
         return meant is not None and meant in asked and kind_of(meant) in ANGLES
 
     def students_without(self, names: Collection[str]) -> Iterator[World]:

@@ -14,6 +14,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.tree import Degrees, Expression, is_function, walk
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.letters.options import staged
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference
 from restitution.practice.worlds.student import (
@@ -36,6 +37,10 @@ class Wanted:
 
     printed: tuple[tuple[Claim, int], ...] = ()
     asked: tuple[tuple[Expression, int], ...] = ()
+
+    def trees(self, problem: Problem, part: Part | None) -> list[Expression]:
+        """What is asked for, each quantity with the number of its event."""
+        return [staged(tree, problem, part, now) for tree, now in self.asked]
 
 
 def wanted_of(problem: Problem, part: Part) -> Wanted:

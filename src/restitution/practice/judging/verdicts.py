@@ -29,7 +29,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.alike_readings import in_one_reading
-from restitution.practice.judging.angles import unnamed_in
+from restitution.practice.judging.angles import is_sum_of_angles, unnamed_in
 from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.deciding import decided
 from restitution.practice.judging.entries import (
@@ -49,7 +49,6 @@ from restitution.practice.judging.judged_link import (
     as_decided,
 )
 from restitution.practice.judging.listed import as_components
-from restitution.practice.judging.naming import is_sum_of_angles
 from restitution.practice.judging.other_forms import (
     after_later_events,
     is_to_a_line,

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from restitution.explaining.lines.derivation import Link
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -24,6 +25,7 @@ from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.line_contents import LineContents, place_in
 from restitution.practice.marking.lines import SOUND
 from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.marking.sides import chains, names_in
 from restitution.problem import Aligned, Show
 from restitution.records import dataclass
 
@@ -118,6 +120,36 @@ class Directions(LineContents):
         """Whether a point is for a direction."""
         left = point.link.left if point.link is not None else None
         return is_quantity(left, "direction") and not point.shown
+
+    def mentions(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the angle of a point stands anywhere in a line, by whatever it is called."""
+        link = point.link
+        if link is None:
+            return False
+        meanings = self._meanings(line)
+        angle = link.left.argument if isinstance(link.left, Apply) else link.left
+        return any(
+            self._names(node, tree, meanings, line)
+            for chain in chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for node in walk(side)
+            for tree in dict.fromkeys((link.left, angle))
+        )
+
+    def turns_by(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the sum of angles that is a deflection stands in a line: ``tan(α + β) = …``."""
+        turn = None if point.link is None else point.link.left
+        meanings = self._meanings(line)
+        return is_quantity(turn, "deflection") and any(
+            is_binary(node, "+", "-")
+            and any(self._changes(name, meanings, line) for name in names_in(node))
+            and self._is_worth(node, turn, line)
+            for chain in chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for node in walk(side)
+        )
 
     def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line takes a component along the direction that a point is for."""

@@ -109,7 +109,11 @@ class Grounds:
             return True  # the law is right, and the angle another point
         if not point.follows:
             return False
-        begun = [root for root in self._roots(line) if not self._is_quoted(root)]
+        begun = [
+            root
+            for root in self._roots(line)
+            if not self._is_quoted(root) or self.values.speaks_for(point, root)
+        ]
         return not begun or self._has_cost(begun, point)
 
     def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
@@ -362,6 +366,15 @@ class Grounds:
             and any(use.principle == "impulse" for use in fitting_uses(other))
             and self.values.bodies_in(other) & set(point.bodies)
             for other in self.lines
+        )
+
+    def _is_of_other_point(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether an impulse is the change of another body, for which another point is given."""
+        bodies = self.values.bodies_in(line)
+        return not bodies & set(point.bodies) and any(
+            (other.principle, other.event) == (point.principle, point.event)
+            and bodies & set(other.bodies)
+            for other in self.scheme.points
         )
 
     def _same(self, point: MarkPoint) -> JudgedLine | None:

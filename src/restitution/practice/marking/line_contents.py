@@ -230,6 +230,26 @@ class LineContents(Sides):
         names = (left.name.split() for left in lefts if isinstance(left, Letter))
         return bool(stages) and any(head in map(HEADS.get, words) for words in names)
 
+    def is_separation(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives the difference of two velocities after an impact a value."""
+        meanings = self._meanings(line)
+        for link in line.line.links:
+            claim = link.readings[0]
+            for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+                if not is_binary(one, "+", "-") or not self._is_value(other, meanings, line):
+                    continue
+                terms = [
+                    meanings.get(x.name, x) if isinstance(x, Letter) else x
+                    for x in (one.left, one.right)
+                ]
+                sizes = (self._is_component(x) or is_quantity(x, "speed") for x in terms)
+                if not all(sizes):
+                    continue
+                bodies = {node.name for x in terms for node in walk(x) if isinstance(node, Name)}
+                if bodies == set(point.bodies) and len(bodies) > 1:
+                    return True
+        return False
+
     def adds_up(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line puts together what a point is for, of parts of which one may be wrong.
 

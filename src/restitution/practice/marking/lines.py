@@ -95,11 +95,15 @@ def fitting_uses(line: JudgedLine) -> tuple[Use, ...]:
 
 
 def subtracts_squares(line: JudgedLine) -> bool:
-    """Whether a false line has a difference of squares by a slip in a sign: √(3.46² - 0.25²)."""
+    """Whether a false line has a difference of squares by a slip in a sign: √(3.46² - 0.25²).
+
+    They may be worked out: √(12 - 0.0625).
+    """
     if line.mistake is None or line.mistake.id != "sign":
         return False
     return any(
-        is_binary(node, "-") and has_operator(node.left, "^") and has_operator(node.right, "^")
+        (is_binary(node, "-") and has_operator(node.left, "^") and has_operator(node.right, "^"))
+        or (is_function(node, "sqrt") and is_binary(node.argument, "-"))
         for link in line.line.links
         for side in (link.readings[0].left, link.readings[0].right)
         for node in walk(side)

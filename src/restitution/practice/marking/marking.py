@@ -21,6 +21,7 @@ from restitution.practice.marking.messages import LEVELS, messages_of
 from restitution.practice.marking.points import marked
 from restitution.practice.marking.showing import to_html, to_text
 from restitution.practice.marking.values import Values
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.working import read_working
 from restitution.practice.script import Script
 from restitution.problem import Problem
@@ -198,9 +199,16 @@ def _asks(judgement: Judgement, solution: Solution, part: str | None) -> list[As
         if row.meaning not in known
     ]
     return [
-        Ask(letter, f"What is {letter} here?", tuple(rows[:_PROPOSALS]))
-        for letter in judgement.asks
+        Ask(letter, _question(letter, rows), tuple(rows[:_PROPOSALS])) for letter in judgement.asks
     ]
+
+
+def _question(letter: str, rows: Sequence[tuple[str, str]]) -> str:
+    """What is asked about a letter, or a phrase, and how to answer in a line."""
+    if is_phrase(letter):
+        return f"What is {letter} here? Say there of what it is, and when: before or after."
+    words = rows[0][1] if rows else "speed after"
+    return f"What is {letter} here? Say it in a line above, such as: let {letter} = {words}."
 
 
 # --- plain data -----------------------------------------------------------------------------------

@@ -25,8 +25,9 @@ from restitution.practice.marking.lines import (
     wrong_numbers,
 )
 from restitution.practice.marking.marks import Marks, PointMark
+from restitution.practice.marking.principle_lines import is_of_what_stays
 from restitution.practice.marking.scheme import MarkPoint, Scheme
-from restitution.practice.marking.single_points import OF_VALUES, SinglePoints, is_of_what_stays
+from restitution.practice.marking.single_points import OF_VALUES, SinglePoints
 from restitution.practice.marking.values import Values
 
 _UNSOUND = ("false", "unsupported", "follows")
@@ -101,6 +102,7 @@ class _Examiner(SinglePoints):
                     and line.line.number not in taken
                     and not is_of_what_stays(line)
                     and self.values.is_solved(line)
+                    and not (line is self.lines[-1] and self.values.is_of_multiples(line))
                 ),
                 None,
             )
@@ -398,6 +400,8 @@ class _Examiner(SinglePoints):
         line = self._line(mark.line)
         if line is None or mark.point.letter == "B" or mark.point.equation:
             return False
+        if mark.point.kind == "DM1":
+            return False
         solved = self.values.is_solved(line) or self.values.is_place(mark.point)
         solved = solved or (mark.point.item is not None and self.values.is_distance(mark.point))
         return line.verdict == "true" and line.grounded and solved
@@ -415,6 +419,9 @@ class _Examiner(SinglePoints):
             if own.state != "earned":
                 continue
             needed = [self.states[name] for name in point.depends]
+            if self._is_too_early(own, needed):
+                self.states[point.id] = self._missing(point)
+                continue
             if point.shown:
                 needed = [
                     self.states[name]
@@ -441,6 +448,14 @@ class _Examiner(SinglePoints):
             elif point.shown and self._is_leap(own, needed):
                 why = "a step is missing between the equations and the result"
                 self.states[point.id] = replace(own, state="lost", why=why)
+
+    def _is_too_early(self, mark: PointMark, needed: Sequence[PointMark]) -> bool:
+        """Whether a line that eliminates an unknown stands above what it is eliminated from."""
+        if mark.point.principle != "solve" or mark.point.kind != "DM1" or mark.implied:
+            return False
+        stated = all(other.state == "earned" and not other.implied for other in needed)
+        below = max((other.line or 0 for other in needed), default=0)
+        return stated and (mark.line or 0) < below and self._elimination(mark.point) is None
 
     def _is_from_wrong_angle(self, mark: PointMark) -> bool:
         """Whether what earns a point follows from an angle that is wrong for no reason."""
@@ -510,28 +525,28 @@ class _Examiner(SinglePoints):
         return marks
 
     def _too_coarse(self, points: list[PointMark]) -> list[PointMark]:
-        """Answers that are right and given too coarsely cost one mark, once."""
-        for place, point in enumerate(points):
-            if point.state != "earned" or point.point.item is None or point.implied:
-                continue
-            if point.point.shown:
-                continue  # the statement says how fine it is
+        """Answers that are right and given too coarsely cost one mark, once.
+
+        Each that early rounding has put off costs its own.
+        """
+        marks: list[PointMark] = []
+        coarse = False
+        for point in points:
             line = self._line(point.line)
-            if line is None or line.accuracy != "coarse":
+            judged = point.state == "earned" and point.point.item is not None and not point.implied
+            if not judged or point.point.shown or line is None or line.accuracy != "coarse":
+                marks.append(point)  # of what is printed the statement says how fine it is
                 continue
             off = self.values.is_off(point.point, line)
-            if not off and (ends_fine(line) or self.values.is_to_a_tenth(point.point, line)):
-                continue
-            if line.verdict != "true":
-                continue  # what follows is no right answer
-            if not self._is_exact_above(point):
-                why = "wrong by early rounding" if off else "given too coarsely"
-                return [
-                    *points[:place],
-                    replace(point, state="lost", why=why),
-                    *points[place + 1 :],
-                ]
-        return points
+            fine = ends_fine(line) or self.values.is_to_a_tenth(point.point, line)
+            right = line.verdict == "true" and not self._is_exact_above(point)
+            if right and off:
+                point = replace(point, state="lost", why="wrong by early rounding")
+            elif right and not fine and not coarse:
+                coarse = True
+                point = replace(point, state="lost", why="given too coarsely")
+            marks.append(point)
+        return marks
 
     def _is_exact_above(self, mark: PointMark) -> bool:
         """Whether a finer form of the same value stands in a line."""

@@ -3,35 +3,30 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.marking.grounds import (
     LAWS,
     OF_DEFLECTION,
-    Grounds,
     has_name,
     is_inequality,
-    is_of_plain_mistake,
 )
 from restitution.practice.marking.lines import (
     SOUND,
     continues,
-    fitting_uses,
     has_vector,
     is_plain,
     is_sound,
 )
 from restitution.practice.marking.marks import PointMark, State
+from restitution.practice.marking.principle_lines import PrincipleLines, is_of_what_stays
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.worlds.principles import is_worked
 
 _OF_WHOLE_SPEEDS = frozenset(
     {"impulse-of-speeds", "speed-for-component", "restitution-whole-speed"}
 )
-_UNSURE = ("asks", "unread")
 
 # The words in which it is said whether bodies meet.
 _CONCLUDING = re.compile(
@@ -56,24 +51,14 @@ OF_VALUES = (
     "place",
 )
 
-# The words of verdicts for the principle of a point, where they are several.
-_NAMES: Mapping[str, tuple[str, ...]] = {
-    "momentum": ("momentum", "impulse"),
-    "velocity": ("velocity", "component"),
-    "speed": ("speed", "energy"),
-    "angle": ("angle", "direction"),
-    "scalar-product": ("scalar-product", "deflection"),
-    "fact": ("fact", "energy", "angle", "deflection", "speed"),
-    "solve": ("solve", "value"),
-}
 
-
-class SinglePoints(Grounds):
+class SinglePoints(PrincipleLines):
     """The lines of a working, and what each point of one scheme finds in them."""
 
     def _first(self, point: MarkPoint) -> PointMark:
         if point.letter == "M":
-            return self._method(point)
+            mark = self._method(point)
+            return self._missing(point) if self._is_asserted(point, mark) else mark
         if point.equation:
             return self._equation(point)
         if point.letter == "B" and point.item is None:
@@ -115,6 +100,11 @@ class SinglePoints(Grounds):
         compared = self._compared(point) or self._in_a_sum(point) or self._in_squares(point, lost)
         if compared is not None:
             return self._earned(point, compared, "")
+        if point.principle == "deflection":
+            turned = (x for x in self.lines if x.verdict == "true" and x.grounded)
+            by_sum = next((x for x in turned if self.values.turns_by(point, x)), None)
+            if by_sum is not None:
+                return self._earned(point, by_sum, "")
         if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
             # The components may go out of the equations of two laws together, or the angle is
             # worked out to another line first.
@@ -147,7 +137,44 @@ class SinglePoints(Grounds):
             return self._earned(point, tangent, "the angle by its tangent instead")
         if (assembled := self._assembled(point)) is not None:
             return self._earned(point, assembled, "its parts put together")
+        if lost is None and point.principle == "component":
+            value = self._value(point)
+            if value.state == "earned":
+                return value  # seen in a remark, or used in a line
+        if lost is None and (other := self._of_other_approach(point)) is not None:
+            return self._earned(point, other, "both velocities are there; the approach is wrong")
         return lost or self._carried(point) or self._missing(point)
+
+    def _is_asserted(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a method for an angle shows in the printed result alone, to which nothing leads.
+
+        Nothing above speaks of the angle, nor of the component that stays.
+        """
+        line = self._line(mark.line)
+        if mark.state != "earned" or point.principle not in ("angle", "deflection"):
+            return False
+        if line is None or self.values.turns_by(point, line):
+            return False
+        if not any(self.values.is_bare_result(x, line) for x in self.scheme.points):
+            return False
+        above = [x for x in self.lines if x.line.number < line.line.number and x.verdict in SOUND]
+        staying = [self.states[x] for x in point.above if self.states[x].point.letter == "B"]
+        seen = staying and all(x.line not in (None, line.line.number) for x in staying)
+        return not seen and not any(self.values.mentions(point, other) for other in above)
+
+    def _of_other_approach(self, point: MarkPoint) -> JudgedLine | None:
+        """A false line with the separation of two spheres, and a value that no mistake explains."""
+        if point.principle != "restitution":
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "false" and line.mistake is not None and not line.mistake.kind
+                if self.values.is_separation(point, line)
+            ),
+            None,
+        )
 
     def _assembled(self, point: MarkPoint) -> JudgedLine | None:
         """A false line that puts together parts of which one only is wrong, for no known reason."""
@@ -403,6 +430,8 @@ class SinglePoints(Grounds):
             alike = [other for other in self.scheme.points if other.item == point.item]
             if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
                 last = replace(last, state="lost", why="another value is possible as well")
+        if last is not None and self._is_left_off(point, last):
+            last = replace(last, state="lost", why="only a multiple of it is given")
         if last is None and (summed := self._in_a_sum(point)) is not None:
             last = self._earned(point, summed, "seen here")
         seen_alone = (
@@ -459,6 +488,12 @@ class SinglePoints(Grounds):
         """Whether a value is earned by a multiple of it alone: ``3v/2 = √13/6``."""
         line = self._line(mark.line)
         return line is not None and self.values.gives_multiple_only(point, line)
+
+    def _is_left_off(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a working ends in a multiple of a value on the way: ``3w = 9``."""
+        last = self.lines[-1].line.number == mark.line
+        between = point.item is None and not point.equation
+        return mark.state == "earned" and last and between and self._is_begun(point, mark)
 
     def _in_words(self, point: MarkPoint) -> JudgedLine | None:
         """A line below the equations that says in words what is printed of a direction."""
@@ -527,177 +562,3 @@ class SinglePoints(Grounds):
         if is_of_what_stays(line):
             return False
         return self.values.is_solved(line) or self.values.is_eliminated(line, put_in=fewer)
-
-    def _uses(self, point: MarkPoint) -> Iterator[tuple[JudgedLine, Use]]:
-        """The lines that use a point's principle, those that hold first."""
-        for sound in (True, False):
-            for line in self.lines:
-                if is_sound(line) is not sound or line.verdict == "unsupported":
-                    continue
-                if self.values.is_formula(line):
-                    continue
-                use = self._use(line, point)
-                if use is None or self._is_by_chance(line, use) or is_of_plain_mistake(line, use):
-                    continue
-                if self._is_of_vectors(point, line):
-                    continue
-                if self._is_stated_wrongly(line, use, point) or self._is_taken(line, use, point):
-                    continue
-                yield line, use
-
-    def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
-        """Whether what follows from a mistake only happens to fit another altered law.
-
-        So it does where the law itself is stated, wrongly, in a line above.
-        """
-        if line.verdict != "follows" or not use.altered:
-            return False
-        return self.values.is_solved(line) or any(
-            other.verdict == "false"
-            and other.line.number < line.line.number
-            and any(
-                (own.principle, own.event) == (use.principle, use.event)
-                for own in fitting_uses(other)
-            )
-            for other in self.lines
-        )
-
-    def _is_stated_wrongly(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
-        """Whether a line only implies a law, or follows, that a line above states wrongly.
-
-        The impulse on one sphere implies no momentum of two, and components imply no law that is
-        stated wrongly below them.
-        """
-        law = point.principle
-        if law not in (*LAWS, "impulse") or use.altered is not None or line.verdict == "false":
-            return False
-        stated = line.uses[0].principle == law or law == "impulse"
-        if stated and (line.verdict != "follows" or self._is_vector_law(point, line)):
-            return False
-        return any(
-            other.verdict == "false"
-            and any(
-                own.principle == law and own.event in (None, use.event) and own.altered
-                for own in fitting_uses(other)[:1]
-            )
-            for other in self.lines
-            if other.line.number < line.line.number or is_of_what_stays(line)
-        )
-
-    def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
-        """The use of the point's principle in a line, at its event and for its bodies."""
-        names = _NAMES.get(point.principle, (point.principle,))
-        implied = line.verdict == "true" and not self.values.is_solved(line)
-        for place, use in enumerate(fitting_uses(line)):
-            if use.principle not in names:
-                continue
-            bare = place and use not in line.stated
-            if bare and use.altered is None and use.principle in LAWS and not implied:
-                continue  # a bare value states no law
-            if place and line.uses[0].principle == "fact" and not self.values.has_coefficient(line):
-                continue  # a fact of the question needs no law
-            if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
-                continue
-            if point.principle == "fact" and line.verdict == "follows" and is_plain(line):
-                continue  # a value that follows states no fact
-            if point.principle == "solve" and is_of_what_stays(line):
-                continue
-            if use.principle == "component" and self._is_no_component_of(point, line):
-                continue
-            if point.event is not None and use.event not in (None, point.event):
-                continue
-            if use.altered is None and self.values.lacks_coefficient(point, line):
-                continue  # what is known of velocities tells nothing of an unknown e
-            if point.principle == "energy" and self.values.is_of_the_start(line):
-                continue  # a change needs the energy after as well
-            if self._is_of_another(point, line):
-                continue
-            if point.principle == "speed" and self.values.is_of_the_start(line):
-                continue  # the speed before is another one
-            by_energy = (point.principle, use.principle) == ("speed", "energy")
-            own_speed = line.verdict == "false" and self.values.is_of_a_speed(line)
-            if by_energy and not own_speed and self._is_answered_wrongly(point):
-                continue  # an energy from the components that change needs no speed
-            own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
-            if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
-                continue
-            if use.principle == point.principle == "impulse" and self._is_of_other(point, line):
-                continue
-            return use
-        return None
-
-    def _is_of_another(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line speaks of the angle of another point, and not of that of this one."""
-        if point.principle != "angle" or self.values.speaks_for(point, line):
-            return False
-        return any(
-            self.values.speaks_for(other, line)
-            for other in self.scheme.points
-            if other.principle == "angle" and other.link != point.link
-        )
-
-    def _with_mistake(self, line: JudgedLine, use: Use) -> tuple[bool, str]:
-        """Whether a false line of a principle keeps its method, and why."""
-        mistake = line.mistake
-        name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
-        above = [root.mistake.id for root in self._roots(line) if root.mistake is not None]
-        root = MISCONCEPTIONS.get(above[0] or "") if len(above) == 1 else None
-        if line.verdict == "follows" and root is not None and root.mark_of(use.principle):
-            name = above[0]  # what follows from one mistake has no other
-        named = MISCONCEPTIONS.get(name or "")
-        if named is not None:
-            rule = named.mark_of(use.principle) or "M0"
-            kept = rule.startswith("M1") and not self._is_resolved_elsewhere(name, use)
-            return kept, f"{named.title[0].lower()}{named.title[1:]}" + (
-                "; the method stands" if kept else ""
-            )
-        if mistake is not None and mistake.kind == "slip":
-            return True, "all terms are there; a slip keeps the method"
-        return False, "not an instance of the law"
-
-    def _is_resolved_elsewhere(self, name: str | None, use: Use) -> bool:
-        """Whether sine and cosine are exchanged in Newton's law alone.
-
-        Beside a right equation of momentum, or a right component along a wall, that is no slip.
-        """
-        if name != "sine-cosine" or use.principle != "restitution":
-            return False
-        # Of spheres a component across the line of centres may be called one along it.
-        at_a_wall = any(
-            point.principle == "restitution" and point.event == use.event
-            for point in self.scheme.points
-            if self.values.is_at_a_wall(point)
-        )
-        return any(
-            line.verdict == "true"
-            and own.altered is None
-            and own.event == use.event
-            and own.principle == ("unchanged" if at_a_wall else "momentum")
-            and line.uses[0] == own
-            for line in self.lines
-            for own in line.uses
-        )
-
-    def _reason(self, line: JudgedLine) -> str:
-        mistake = line.mistake
-        if mistake is None or mistake.id is None:
-            return "not true"
-        named = MISCONCEPTIONS.get(mistake.id)
-        if named is not None:
-            return f"{named.title[0].lower()}{named.title[1:]}"
-        return f"a slip ({mistake.id})"
-
-    def _earned(self, point: MarkPoint, line: JudgedLine, why: str) -> PointMark:
-        return PointMark(point, "earned", line.line.number, why)
-
-    def _missing(self, point: MarkPoint) -> PointMark:
-        """A lost point; an open one where a line that cannot be judged may earn it."""
-        unsure = next((line for line in self.lines if line.verdict in _UNSURE), None)
-        if unsure is None:
-            return PointMark(point, "lost", None, "not seen")
-        return PointMark(point, "open", unsure.line.number, "a line could not be judged")
-
-
-def is_of_what_stays(line: JudgedLine) -> bool:
-    """Whether a line has a component that stays, or one before, for which nothing is solved."""
-    return bool(line.uses) and line.uses[0].principle in ("unchanged", "component")

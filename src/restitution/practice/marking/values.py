@@ -42,6 +42,7 @@ from restitution.practice.marking.sides import (
     spread_of,
 )
 from restitution.practice.reading.quoted import has_data
+from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.world import World
@@ -239,8 +240,8 @@ class Values(Directions):
         link = point.link
         if link is None or line.verdict != "true" or link.sign not in FLIPPED:
             return False
-        signs = {link.sign, f"{link.sign}="}
-        turned = {FLIPPED[link.sign], f"{FLIPPED[link.sign]}="}
+        signs = {link.sign, f"{link.sign}=", link.sign.rstrip("=")}
+        turned = {FLIPPED[sign] for sign in signs if sign in FLIPPED}
         return any(
             (claim.sign in signs and self._are_worth(claim.left, claim.right, link, line))
             or (claim.sign in turned and self._are_worth(claim.right, claim.left, link, line))
@@ -373,6 +374,10 @@ class Values(Directions):
             for chain in chains(line)
             for claim in chain
         )
+
+    def is_of_multiples(self, line: JudgedLine) -> bool:
+        """Whether a line gives multiples of letters or quantities, and none by itself."""
+        return not any(isinstance(chain[0].left, Letter | Quantity) for chain in chains(line))
 
     def is_of_the_start(self, line: JudgedLine) -> bool:
         """Whether a line tells by its letters of what stands before the impacts: ``KE before``."""
@@ -528,8 +533,11 @@ class Values(Directions):
         before = point.principle == "component"
         into = numbers_into_a_wall(line.line.text, before=before) if at_wall else frozenset[int]()
         return any(
-            self._is_worth(value, link.left, line)
-            or (is_fine(value) and self._is_rounded_to(value, link.left, line))
+            any(
+                self._is_worth(value, tree, line)
+                or (is_fine(value) and self._is_rounded_to(value, tree, line))
+                for tree in _sizes_of(link.left)
+            )
             or self._is_vector_part(value, point, line)
             for value in values
             if across
@@ -563,8 +571,8 @@ class Values(Directions):
         if velocity is None or line.verdict not in ("true", "follows", "false"):
             return False
         wrong = line.verdict == "false"
-        across = line.mistake is not None and line.mistake.id in _OF_ACROSS
-        if wrong and not own and not across:
+        nameless = line.mistake is not None and line.mistake.id in (None, *_OF_ACROSS)
+        if wrong and not own and not nameless:
             return False  # what is wrong in a velocity is most often the component that changes
         kinds = ("speed", "energy") if own and not wrong else ()
         if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):
@@ -648,6 +656,18 @@ class Values(Directions):
                     return True
         return False
 
+    def is_bare_result(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line is the printed relation of a point alone, worked out from nothing."""
+        link = point.link
+        if link is None or not point.shown or len(line.line.links) != 1:
+            return False
+        claim = line.line.links[0].readings[0]
+        known = letters(claim.right) <= letters(link.right) or letters(claim.left) <= letters(
+            link.right
+        )
+        bare = known and _functions(claim) <= _functions(link)
+        return bare and self._is_printed(point, line)
+
     def _is_share_of(
         self,
         own: Expression,
@@ -660,6 +680,21 @@ class Values(Directions):
             case Binary("/", _, below), Binary("/", _, whole):
                 return self._names(below, whole, meanings, line)
         return False
+
+
+def _functions(relation: Link | Claim) -> frozenset[str]:
+    """The functions on both sides of a relation."""
+    sides = (relation.left, relation.right)
+    return frozenset(
+        node.function for side in sides for node in walk(side) if isinstance(node, Apply)
+    )
+
+
+def _sizes_of(quantity: Quantity) -> tuple[Quantity, ...]:
+    """A quantity; for a scalar product the component along its second vector as well."""
+    if quantity.kind != "dot":
+        return (quantity,)
+    return quantity, replace(quantity, kind="along")
 
 
 def _product(sizes: Sequence[Array], powers: Sequence[int]) -> Array:

@@ -334,7 +334,13 @@ class Conversation:
         marking = self._mark(label, typed, level)
         if marking is None:
             return None
-        return tuple(dict.fromkeys(message.text for message in marking.messages if message.text))
+        return tuple(
+            dict.fromkeys(
+                text if message.line is None else f"Line {message.line}: {text}"
+                for message in marking.messages
+                if (text := message.text)
+            )
+        )
 
     def _script(self) -> Iterable[str]:
         """All that was typed so far, part by part."""

@@ -117,7 +117,10 @@ def variant(problem: Problem, seed: int = 1) -> Variant:
 
 
 VARIATION = 4
-"""The version of what a seed draws here, raised where the same seed gives another variant."""
+"""The version of what a seed draws here, raised where the same seed gives another variant.
+
+It is none of the generator, whose questions no seed of a variant changes.
+"""
 
 
 @dataclass(frozen=True)
@@ -138,7 +141,7 @@ def _by_excess(drawn: _Drawn) -> tuple[tuple[int, ...], int]:
 
 
 def _headed(drawn: _Drawn, seed: int, notes: Sequence[str]) -> Variant:
-    head = f"# like another question, seed {seed}  (generator version {VARIATION})\n"
+    head = f"# like another question, seed {seed}  (version {VARIATION} of variants)\n"
     return Variant(head + drawn.text, seed, tuple(notes), drawn.draw)
 
 

@@ -43,6 +43,12 @@ KEEPS = re.compile(
     rf"{_KE}",
     re.IGNORECASE,
 )
+# A time, or a way, by a speed: ``2 more in y at 1 m/s = 2 s``, ``3 s at 2 m/s = 6 m``.
+_SPEED = r"(\d[\d./]*)\s*(?:m/s|ms\s?\^?-1|m\s?s\s?\^?-1|ms⁻¹|m\s?s⁻¹)"
+AT_A_SPEED = re.compile(
+    rf"(?:\bdistance\s+(?:(?:of|is)\s+)?)?(?<![\w.])(\d[\d./]*)(?:\s*(s|secs?|seconds?))?(?![\w/.])[^=<>\d,;]*\bat\s+{_SPEED}\s*"
+    r"(?:=|is|takes?)\s*(?=\d)"
+)
 SETS_OFF = re.compile(
     r"\b([A-Z])\s+(?:goes|moves|sets|travels|flies|shoots)(?:\s+(?:off|away|on|out))?\s+"
     r"(?:at|with)\s+(?:an?\s+)?(speed\s+(?:of\s+)?)?"
@@ -100,6 +106,11 @@ ENERGIES_ALONG = re.compile(
     re.IGNORECASE,
 )
 _LOSS = re.compile(r"\b(?:lost|loss|loses)\b", re.IGNORECASE)
+
+
+def at_a_speed(match: re.Match[str], _: Problem) -> str:
+    """A way divided by a speed, or multiplied by a time."""
+    return f"{match[1]}{'*' if match[2] else '/'}{match[3]} = "
 
 
 def changes_to(match: re.Match[str], _: Problem) -> str:

@@ -25,7 +25,7 @@ OF_A_BODY_ALONG = re.compile(
 )
 GOES_BACK = re.compile(
     r"\b([A-Z])\s+(?:goes|moves|comes|travels|bounces|rebounds|flies)\s+(?:straight\s+)?back(?:wards)?"
-    r"\s+(?:at|with)\s+(?:an?\s+)?(?:speed\s+(?:of\s+)?)?(?=[\d√(½⅓¼⅔¾a-z])"
+    r"\s+(?:at|with)\s+(?:an?\s+)?(?:speed\s+(?:of\s+)?)?(?!angle\b)(?=[\d√(½⅓¼⅔¾a-z])"
 )
 KE_ALONG = re.compile(
     r"\balong\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC)(?:\s+(?:only|alone))?\s*[:,]?\s*"

@@ -548,6 +548,8 @@ class _Reader(Journeys):
         directed = features.axis is not None or features.direction is not None
         if features.between and not (spheres or directed) and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
+            if not any(map(_is_of_velocities, self.asked("angle"))):
+                yield from self.inclinations(event)
             return
         if features.between and not (spheres or features.wall or features.direction):
             between = [tree for tree in self.asked("angle") if _is_of_velocities(tree)]
@@ -581,6 +583,24 @@ class _Reader(Journeys):
             own = Quantity("angle", (line, Unit("i")))  # angle of the line of centres
             yield own
             yield Binary("-", RIGHT_ANGLE, own)
+        if features.direction is None and not (directed or features.between):
+            yield from self.angles_to_axes(event)
+
+    def angles_to_axes(self, event: int) -> Iterator[Expression]:
+        """The angles to i, or j, of a line of centres that slants, and of velocities beside it."""
+        met = self.bodies_met(event)
+        if len(met) < 2 or any(
+            isinstance(step, Impact) and isinstance(step.along, Unit)
+            for step in self.events[event - 1 : event]
+        ):
+            return
+        named = [name for name in self.features.names if name in met]
+        lines = [self.of("velocity", name, event) for name in named] or [self.line(event)]
+        for line in lines:
+            angle = Quantity("angle", (line, Unit("i")))
+            yield angle
+            yield Binary("-", RIGHT_ANGLE, angle)
+            yield Binary("-", STRAIGHT_ANGLE, angle)
 
     def angle_of_wall(self, event: int) -> Iterator[Expression]:
         """The angles of a wall to i or j, where the words name both: ``angle of W with i``."""

@@ -141,6 +141,7 @@ _REBOUNDS = re.compile(
     r"(?:\s+(?:off|from)\s+(?:the\s+)?(?:wall|cushion|[A-Z]\w*))?\s+(?:with|at)\s+"
     r"(?:an?\s+|the\s+)?(?:speed\s+(?:of\s+)?)?(?=[\du(½⅓¼⅔¾√])(?![^,;=]*(?:°|deg|[αβθφ]))",
 )
+_COORDINATE = re.compile(r"\b([xy])[\s-]*co-?ord(?:inate)?\b(?!s)", re.IGNORECASE)
 _SQUARE_ROOT = re.compile(r"\bsq(?:uare)?\.?\s?(?:root|rt)\s*(?:of\s+)?(?=[\d(a-z])", re.IGNORECASE)
 _IN_ALL = re.compile(
     r"(?<!\w)(total|altogether)(?=\s*[=:]|\s+[\d½⅓⅔¼¾][\d./]*\s*(?:s(?:ecs?|econds?)?\b|$))",
@@ -350,6 +351,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (amounts.LOSES, amounts.loses),
     (amounts.ENERGIES_ALONG, amounts.energies_along),
     (amounts.KEEPS, amounts.keeps),
+    (amounts.AT_A_SPEED, amounts.at_a_speed),
     (amounts.SETS_OFF, amounts.sets_off),
     (amounts.IS_A_SHARE, amounts.is_a_share),
     (amounts.SHARE_OF_BEFORE, amounts.share_of_before),
@@ -399,6 +401,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_FIRST_AND_LAST, lambda _, __: "initial and final "),
     (_BETWEEN_U_AND_V, _of_both),
     (_SQUARE_ROOT, lambda _, __: "root "),
+    (_COORDINATE, lambda match, _: f"{'ij'['xy'.index(match[1].lower())]} component of position"),
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
     (_IN_UNITS, _unit_of_letters),

@@ -1,0 +1,282 @@
+"""Which points of a scheme lines earn that say little, or say one thing right beside another."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from marked import solution_of, verdicts
+
+import restitution
+
+# Change of momentum of A (-6, -6): v_A = 2i - j, v_B = 2i + 4j along i + j.
+BLOW = """sphere A: mass 3, velocity 4i + j
+sphere B: mass 2, velocity -i + j
+A hits B
+given impulse(A) = -6i - 6j
+find velocity(A), velocity(B), e
+"""
+# Along 2i - j: u_A.(2i - j) = 9, v_A.(2i - j) = 4.
+CHANGE = """sphere A: mass 3, velocity 4i - j
+sphere B: mass 1, velocity -i + j
+A hits B
+given velocity(A) = 2i
+find line_of_centres, velocity(B), e
+"""
+TURN = """wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = 2/3
+show tan(deflection(P)) = 6(1 + e)/(9 - 4e)
+"""
+TANGENT = """sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+let theta = angle(velocity(A), line_of_centres)
+show tan(theta) = 3tan(alpha)/(2 - e)
+"""
+
+
+def points(statement: str, *lines: str, **letters: str) -> list[tuple[str, str, bool]]:
+    """The kind of each point, what it is for, and whether it is earned."""
+    marking = restitution.mark(solution_of(statement), "\n".join(lines), letters=letters)
+    return [(x.point.kind, x.point.purpose, x.state == "earned") for x in marking.marks.points]
+
+
+def earned(statement: str, *lines: str, **letters: str) -> int:
+    return sum(won for _, _, won in points(statement, *lines, **letters))
+
+
+def of(statement: str, purpose: str, *lines: str, **letters: str) -> list[bool]:
+    """Whether the points for one purpose are earned, in order."""
+    return [won for _, p, won in points(statement, *lines, **letters) if p == purpose]
+
+
+def test_components_that_are_only_listed_are_taken() -> None:
+    lines = ["v_A = 2i - j", "v_B = 2i + 4j", "line of centres along (i + j)/√2"]
+    listed = ["A: 5/√2 before, 1/√2 after", "B: 0 before, 6/√2 after"]
+    assert of(BLOW, "components", *lines, *listed) == [True, True]
+    assert of(BLOW, "components", *lines) == [False, False]
+    wrong = ["A: 4/√2 before, 3/√2 after", "B: 0 before, 7/√2 after"]
+    assert of(BLOW, "components", *lines, *wrong) == [False, False]
+
+
+def test_components_are_used_in_a_law_that_is_upside_down() -> None:
+    lines = ["change = -2i + j, so line of centres is (2i - j)/√5", "v_B = 5i - 2j", "e = 12/8"]
+    assert of(CHANGE, "components", *lines) == [True, True]
+    assert of(CHANGE, "Newton's experimental law", *lines) == [False]
+
+
+def test_a_wrong_impulse_on_one_sphere_costs_nothing_of_the_other() -> None:
+    wrong, right = "v_A = 4i + j - 6i - 6j = -2i - 5j", "v_B = -i + j + 3i + 3j = 2i + 4j"
+    found = of(BLOW, "impulse as a change of momentum", wrong, right)
+    assert found[:2] == [False, True]
+    found = of(BLOW, "impulse as a change of momentum", right.replace("3i + 3j = 2i", "6i = 5i"))
+    assert found[:2] == [False, False]
+
+
+def test_a_change_of_one_velocity_is_no_momentum_of_two() -> None:
+    lines = ["change in A = -2i + j", "line of centres = (2i - j)/√5", "v_B = -i + j + 2i - j = i"]
+    assert of(CHANGE, "conservation of momentum", *lines) == [False]
+
+
+def test_a_component_that_is_right_stands_in_a_velocity_that_is_wrong() -> None:
+    statement = "wall W: along j\nsphere P: mass 2, velocity 6i + 3j\nP hits W: e = 2/3\n"
+    statement += "find velocity(P)"
+    kinds = points(statement, "v = -4i + 2j", v="velocity(P)")
+    assert [won for _, purpose, won in kinds if "Newton" in purpose] == [True]
+    kinds = points(statement, "v = -5i + 2j", v="velocity(P)")
+    assert not any(won for _, _, won in kinds)
+
+
+def test_a_slip_in_an_answer_is_none_in_a_line_above_it() -> None:
+    statement = "wall W: along 4i - 3j\nsphere P: mass 0.6, velocity 10i + 5j\nP hits W: e = 1/2\n"
+    statement += "find velocity(P)\npart b\nfind impulse(P)"
+    statement = statement.replace("find velocity(P)\n", "part a\nfind velocity(P)\n")
+    marking = restitution.mark(
+        solution_of(statement),
+        "I = 0.6(10i + 5j + i - 7j)\nI = 6.6i - 1.2j",
+        part="b",
+        letters={"I": "impulse(P)"},
+    )
+    assert marking.marks.points[-1].state == "lost"
+
+
+def test_a_sum_of_angles_is_the_deflection_that_is_printed() -> None:
+    lines = [
+        "u cos α = v cos β",
+        "e u sin α = v sin β",
+        "tan β = e tan α = 2e/3",
+        "tan(α + β) = (2/3 + 2e/3)/(1 - 2/3 x 2e/3)",
+        "tan(α + β) = 6(1 + e)/(9 - 4e)",
+    ]
+    meant = {"β": "angle(velocity(P), W)", "v": "speed(P)"}
+    assert all(won for _, _, won in points(TURN, *lines, **meant))
+
+
+@pytest.mark.parametrize(
+    ("lines", "right"),
+    [
+        (["tan θ = 3 tan α/(2 - e)"], False),
+        (["tan θ = u sin α/v", "tan θ = 3 tan α/(2 - e)"], True),
+        (["tan θ = u sin α/v = 3 tan α/(2 - e)"], True),
+        (["perp component of A = u sin α", "tan θ = 3 tan α/(2 - e)"], True),
+    ],
+)
+def test_a_printed_angle_to_which_nothing_leads_is_asserted(lines: list[str], right: bool) -> None:
+    laws = ["2mu cos α = 2mv + mw", "w - v = eu cos α", "v = (2 - e)u cos α/3"]
+    found = points(TANGENT, *laws, *lines, v="along(velocity(A), i)", w="along(velocity(B), i)")
+    assert [won for kind, _, won in found if kind == "A1*"] == [right]
+
+
+def test_a_printed_result_below_a_wrong_deflection_shows_no_method() -> None:
+    lines = ["v cos b = 3u/√13", "v sin b = 2eu/√13", "tan b = 2e/3", "deflection = α - b"]
+    fudged = [*lines, "so tan = 6(1 + e)/(9 - 4e)"]
+    meant = {"b": "angle(velocity(P), W)", "v": "speed(P)"}
+    assert of(TURN, "angle of deflection", *fudged, **meant) == [False]
+    assert of(TURN, "solving for one unknown", *fudged, **meant) == [False]
+
+
+def test_a_multiple_in_which_a_working_ends_is_no_value() -> None:
+    statement = "sphere A: mass 1, velocity 7i + j\nsphere B: mass 2, at rest\n"
+    statement += "A hits B: along 3i + 4j, e = 4/5\nfind velocity(A), velocity(B)"
+    lines = ["5 = v + 2w", "w - v = 4", "3w = 9"]
+    meant = {"v": "along(velocity(A), 3i + 4j)", "w": "along(velocity(B), 3i + 4j)"}
+    assert of(statement, "correct value", *lines, **meant) == [False, False]
+    assert of(statement, "correct value", *lines, "w = 3", **meant)[0]
+
+
+def test_that_spheres_do_not_meet_again_is_shown_by_a_strict_inequality() -> None:
+    statement = """sphere A: mass 3, velocity 10i
+sphere B: mass 2, at rest
+sphere C: mass 1, at rest
+A hits B: along i, e = 1/2
+B hits C: along i, e = 1/2
+show A and B do not collide again
+"""
+    lines = ["30 = 3a + 2b", "b - a = 5", "a = 4", "b = 9"]
+    lines += ["18 = 2p + q", "q - p = 4.5", "3p = 13.5", "p = 4.5"]
+    end = ["A has 4 < 4.5", "so A never gets to B"]
+    meant = {"a": "speed(A, 1)", "b": "speed(B, 1)", "p": "speed(B)", "q": "speed(C)"}
+    found = points(statement, *lines, *end, **meant)
+    assert found[-1][0] == "A1*"
+    assert found[-1][2]
+
+
+def test_a_separation_with_a_wrong_value_is_the_law() -> None:
+    statement = "sphere A: mass 3, velocity 9i\nsphere B: mass 2, velocity i\n"
+    statement += "A hits B: along i, e = 1/2\nfind along(velocity(A), i)"
+    meant = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    law = "Newton's experimental law"
+    assert of(statement, law, "w - v = 5.3", **meant) == [True]
+    assert of(statement, law, "w = 5.3", **meant) == [False]
+    assert of(statement, law, "w - v = 8", **meant) == [False]  # e is left out
+
+
+def test_each_answer_that_early_rounding_puts_off_costs_its_own() -> None:
+    statement = "wall W: along i\nsphere P: velocity 10 at 75° to W\nP hits W: e = 1/2\n"
+    statement += "find speed(P), angle(velocity(P), W)"
+    lines = ["parallel: 10 cos 75 = 2.6", "perp: 0.5 x 10 sin 75 = 4.8"]
+    angle = "angle = tan^-1(4.8/2.6) = 61.6"
+    found = points(statement, *lines, "speed = 5.48", angle)
+    assert [won for kind, _, won in found if kind[0] == "A"] == [True, False]
+    found = points(statement, *lines, "speed = √(2.6² + 4.8²) = 5.46", angle)
+    assert [won for kind, _, won in found if kind[0] == "A"] == [False, False]
+
+
+def test_nothing_is_eliminated_above_the_equations() -> None:
+    lines = ["perp = 2eu/√13, parallel = 3u/√13", "tan b = 2e/3"]
+    lines += ["tan(α + b) = (2/3 + 2e/3)/(1 + 4e/9)", "= 6(1 + e)/(9 - 4e)"]
+    found = points(TURN, *lines, b="angle(velocity(P), W)")
+    assert [won for kind, _, won in found if kind == "DM1"] == [False]
+
+
+def test_a_speed_by_a_difference_of_squares_has_no_method() -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass 2, velocity 2i - j\nP hits W: e = 1/2\nfind speed(P)"
+    )
+    lines = ["velocity after is 2i + 0.5j", "speed = √(4 - 0.25) = 1.94"]
+    assert of(statement, "speed from its components", *lines) == [False]
+    lines = ["velocity after is 2i + 0.5j", "speed = √(4 + 0.35) = 2.09"]
+    assert of(statement, "speed from its components", *lines) == [True]
+
+
+def test_numbers_that_add_up_are_no_slip_in_arithmetic() -> None:
+    statement = "wall AB: along i\nwall BC: along 105°\nsphere P: velocity 10 at 45° to AB\n"
+    statement += "P hits AB: e = sqrt(3)/3\nP hits BC: e = 1/2\nfind speed(P)"
+    found: Any = restitution.mark(solution_of(statement), "angle to BC = 180 - 75 - 45 = 60").json()
+    mistake = found["lines"][0]["mistake"]
+    assert found["lines"][0]["verdict"] == "false"
+    assert mistake["id"] != "arithmetic"
+
+
+def test_a_component_by_a_vector_is_along_no_line_that_is_wrong() -> None:
+    statement = "sphere A: mass m, velocity 3i\nsphere B: mass m, velocity -2i + j\nA hits B\n"
+    statement += "given velocity(A) = 2i + 2j\nfind velocity(B), e, line_of_centres\n"
+    assert verdicts(statement, "change in A's velocity -i + 2j", "approach 7") == ["true", "true"]
+    assert verdicts(statement, "change in A's velocity i + j", "approach 7")[1] != "true"
+
+
+COURT = """wall W: along j, through (6, 0)
+wall V: along i, through (0, 4)
+sphere P: mass 2, at (0, 0), velocity 3i + j
+P hits W: e = 2/3
+P hits V: e = 1/2
+find time(2), position(P, 2)
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("needs 2 more in y at 1 m/s = 2 s", "true"),
+        ("moves 2 m at 1 m/s = 2 s", "true"),
+        ("needs 2 more in y at 1 m/s = 3 s", "false"),
+        ("2 s at 3 m/s = 6", "true"),
+        ("x coordinate = 6 - 4 = 2", "true"),
+        ("the y coordinate is 4", "true"),
+        ("x-coord = 6 - 2(4) = -2", "false"),
+    ],
+)
+def test_ways_at_a_speed_and_single_coordinates_are_read(line: str, verdict: str) -> None:
+    assert verdicts(COURT, line) == [verdict]
+
+
+def test_one_coordinate_at_a_wall_that_gives_the_other_is_the_place() -> None:
+    kinds = points(COURT, "time = 2 + 2 = 4", "x coordinate = 6 - 2(2) = 2")
+    assert all(won for kind, _, won in kinds if kind in ("M1", "A1", "A1ft"))
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("angle of line = tan^-1(4/3) = 53.13", "true"),
+        ("angle of line = tan^-1(4/7) = 29.7", "false"),
+        ("angle of A = tan^-1(1/7) = 8.13", "true"),
+        ("angle of A = tan^-1(2/7) = 15.9", "false"),
+        ("angle between = 45", "true"),
+        ("angle between = 40", "false"),
+    ],
+)
+def test_angles_to_an_axis_beside_a_line_that_slants(line: str, verdict: str) -> None:
+    statement = "sphere A: mass 1, velocity 7i + j\nsphere B: mass 2, at rest\n"
+    statement += "A hits B: along 3i + 4j, e = 4/5\nfind velocity(A), velocity(B)"
+    assert verdicts(statement, line) == [verdict]
+
+
+def test_who_goes_back_at_an_angle_has_no_component_of_that_size() -> None:
+    statement = "sphere A: mass m, velocity u at alpha\nsphere B: mass 3m, at rest\n"
+    statement += "A hits B: along i\ngiven tan(alpha) = 1/2, deflection(A) = 90°\nfind e"
+    assert verdicts(statement, "A goes back at angle 90 - α to the line") == ["true"]
+    assert verdicts(statement, "A goes back at angle 80 - α to the line") == ["false"]
+
+
+def test_what_is_asked_about_a_letter_says_how_to_answer() -> None:
+    statement = "wall W: along i\nsphere P: mass 2, velocity 10 at 50° to W\nP hits W: e = 1/2\n"
+    solution = solution_of(statement + "find speed(P)")
+    asks = restitution.mark(solution, "k sin q = 3").asks
+    assert {ask.letter for ask in asks} == {"k", "q"}
+    for ask in asks:
+        assert f"let {ask.letter} = component of P" in ask.text
+        answered = ask.text.partition("such as: ")[2].rstrip(".")
+        assert restitution.mark(solution, f"{answered}\n{ask.letter} = 3.83").asks == ()
