@@ -344,3 +344,23 @@ def test_the_sine_of_an_offset_earns_its_marks_once() -> None:
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert text.count("1.2r/(2r)") == 1
     assert "the line of centres and the path of A: sin θ = 0.6 Let" in text
+
+
+@pytest.mark.parametrize(
+    ("asked", "last"),
+    [
+        ("speed(A)", "speed of A = u√(15d² + 4r²)/(8r) A1"),
+        ("energy_lost", "kinetic energy lost = 3mu²(4r² − d²)/(64r²) A1"),
+        ("velocity(B)", "𝐯_B = (3u(4r² − d²)/(16r²))𝐢 + (3du√(4r² − d²)/(16r²))𝐣 A1"),
+        ("direction(B)", "angle from 𝐢 to 𝐯_B = arcsin(d/(2r)) A1"),
+    ],
+)
+def test_values_in_terms_of_an_offset_are_worked_out_by_an_angle(asked: str, last: str) -> None:
+    """No root of 4r² − d² stands in the laws."""
+    problem, derivation = planned(
+        "sphere A: mass m, radius r, velocity u i\nsphere B: mass m, at rest\n"
+        f"A hits B: offset d, e = 1/2\nfind {asked}"
+    )
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "mu cos φ = mv + mw" in text
+    assert text.endswith(last)

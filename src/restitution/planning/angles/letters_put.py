@@ -11,6 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.planning.axes.offsets import ratios_by_offsets
 from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain
@@ -33,6 +34,8 @@ def with_letters_put(scene: Scene, own: Ratio, named: Ref | None = None) -> Rati
     value = sp.sympify(scene.scalar(link.right), strict=True)
     if not value.free_symbols:
         return own
+    if value.free_symbols & scene.kept:
+        return _by_offsets(scene, own, value)
     values, given = _given_values(scene, link.right)
     whole = rebuilt(link.right, lambda tree: values.get(tree, tree))
     put = tidy(scene.scalar(whole))
@@ -42,6 +45,14 @@ def with_letters_put(scene: Scene, own: Ratio, named: Ref | None = None) -> Rati
         changed = refs and put != value
         line = _put(scene, own, tree_of(put), put, (*more, *refs)) if changed else None
     return own if line is None else replace(own, line=line, value=tidy(put))
+
+
+def _by_offsets(scene: Scene, own: Ratio, value: sp.Expr) -> Ratio:
+    """The ratio with those of the angle of a line of centres put in by its offset."""
+    ratios, refs = ratios_by_offsets(scene, value)
+    put = tidy(value.xreplace(ratios))
+    line = _put(scene, own, tree_of(put), put, refs)
+    return own if line is None else replace(own, line=line, value=put)
 
 
 def ratio_of_an_answer(scene: Scene, asked: Quantity, functions: Sequence[str]) -> Ratio | None:

@@ -32,7 +32,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import cancelled, expanded
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.problem import Extremum, Problem, Range
+from restitution.problem import Extremum, Problem, Range, Value
 from restitution.solving.equations.solution import Solution
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -41,8 +41,8 @@ from restitution.vector import Vector
 def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
     """The paths of impacts whose line of centres gets a letter for its angle with the path.
 
-    That is so where the offset is to be found in radii, both spheres move along the path, and
-    nothing that is given speaks of the line of centres.
+    That is so where the offset is to be found in radii or stays a letter, both spheres move along
+    the path, and nothing that is given speaks of the line of centres.
     """
     fact = next((fact for fact in desk.facts if fact.id == "axis 1"), None)
     branches = [branche for part in solution.parts.values() for branche in part.branches]
@@ -78,8 +78,13 @@ def _is_its_range(solution: Solution, names: AbstractSet[str]) -> bool:
 
 
 def _is_over(problem: Problem, names: AbstractSet[str]) -> bool:
-    """Whether a greatest or least angle is asked for over the letter of the offset."""
+    """Whether the offset stays a letter: all that is asked are values in terms of it.
+
+    Or a greatest or least angle is asked for over that.
+    """
     items = [item for part in problem.parts for item, _ in problem.asked(part)]
+    if len(names) > 1 and all(isinstance(item, Value) for item in items):
+        return True
     return any(
         isinstance(item, Extremum)
         and is_quantity(item.expression, *ANGLES)
@@ -197,6 +202,33 @@ def write_sine(scene: Scene, equation: GivenEquation) -> int:
     )
 
 
+def ratios_by_offsets(
+    scene: Scene, *values: sp.Expr
+) -> tuple[dict[sp.Expr, sp.Expr], tuple[int, ...]]:
+    """What the ratios of open angles in some values are by the offsets, and the lines of that."""
+    ratios: dict[sp.Expr, sp.Expr] = {}
+    lines: list[int] = []
+    for equation in scene.of_offsets:
+        for angle in equation.residuals[0].free_symbols & scene.kept:
+            if not any(angle in value.free_symbols for value in values):
+                continue
+            sine = scene.scalar(equation.link.right)
+            cosine = tidy(sp.sqrt(1 - sine**2))
+            own = {"sin": sine, "cos": cosine, "tan": tidy(sine / cosine)}
+            first = write_sine(scene, equation)
+            lines.append(first)
+            for name, size in own.items():
+                ratio = getattr(sp, name)(angle)
+                if not any(value.has(ratio) for value in values):
+                    continue
+                ratios[ratio] = size
+                if name != "sin":
+                    relation = equality(Apply(name, Letter(angle.name)), tree_of(size))
+                    known = (first, f"acute: {angle.name}")
+                    lines.append(scene.desk.write(Move("triangle"), known, relation))
+    return ratios, tuple(lines)
+
+
 def sine_of(scene: Scene, angle: str) -> GivenEquation | None:
     """What an offset says of the sine of an angle that has this letter; None of another one."""
     sine = Apply("sin", Letter(angle))
@@ -242,6 +274,7 @@ __all__ = [
     "given_by_offsets",
     "is_sine_of_an_offset",
     "paths_beside",
+    "ratios_by_offsets",
     "sine_of",
     "turns_from_an_offset",
     "write_sine",

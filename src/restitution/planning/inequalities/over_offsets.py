@@ -7,14 +7,16 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Ref, equality
+from restitution.explaining.lines.derivation import Link, Move, equality
 from restitution.expression.tree import Apply, Letter
 from restitution.oracle.roles import Role
-from restitution.planning.axes.offsets import write_sine
+from restitution.planning.axes.offsets import ratios_by_offsets, write_sine
+from restitution.planning.writing.checking import measured
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.records import dataclass
 from restitution.solving.story.letters import roles
+from restitution.vector import Vector
 
 
 def role_of(scene: Scene, symbol: sp.Symbol) -> Role:
@@ -67,24 +69,37 @@ def write_by_offset(scene: Scene, name: str) -> None:
     if len(end.answer.options) > 1:
         return  # of several values each stands as it is
     link = end.answer.only[-1]
-    value = scene.value(link.right)
-    angles = value.free_symbols & scene.kept if isinstance(value, sp.Expr) else frozenset()
-    for angle, equation in _open(scene):
-        if angle not in angles:
-            continue
-        sine = scene.scalar(equation.link.right)
-        cosine = tidy(sp.sqrt(1 - sine**2))
-        refs: list[Ref] = [write_sine(scene, equation)]
-        if value.has(sp.cos(angle)):
-            relation = equality(Apply("cos", Letter(angle.name)), tree_of(cosine))
-            premises = (*refs, f"acute: {angle.name}")
-            refs.append(scene.desk.write(Move("triangle"), premises, relation))
-        put = tidy(value.xreplace({sp.sin(angle): sine, sp.cos(angle): cosine}))
-        relation = equality(link.left, tree_of(put))
-        line = scene.judge.write((Move("put"),), [end.line, *refs], relation)
-        if line is not None:
-            scene.desk.ends.pop()
-            scene.desk.end(name, line, relation)
+    value = measured(scene.value(link.right))
+    if value in scene.kept:
+        _write_angle_by_offset(scene, name, value)
+        return
+    parts = tuple(value) if isinstance(value, Vector) else (value,)
+    if not all(isinstance(part, sp.Expr) for part in parts):
+        return
+    angles = {symbol for part in parts for symbol in part.free_symbols} & scene.kept
+    if not angles:
+        return
+    ratios, refs = ratios_by_offsets(scene, *parts)
+    put = [tidy(part.xreplace(ratios)) for part in parts]
+    relation = equality(link.left, tree_of(put[0] if len(put) == 1 else Vector(*put)))
+    line = scene.judge.write((Move("put"),), [end.line, *refs], relation)
+    if line is not None:
+        scene.desk.ends.pop()
+        scene.desk.end(name, line, relation)
+
+
+def _write_angle_by_offset(scene: Scene, name: str, angle: sp.Symbol) -> None:
+    """The answer that is such an angle itself, by its sine."""
+    end = scene.desk.ends[-1]
+    equation = next(equation for own, equation in _open(scene) if own == angle)
+    sine = write_sine(scene, equation)
+    value = Apply("arcsin", equation.link.right)
+    relation = equality(Letter(angle.name), value)
+    line = scene.desk.write(Move("inverse"), (sine, f"acute: {angle.name}"), relation)
+    final = equality(end.answer.only[-1].left, value)
+    line = scene.judge.write((Move("put"),), [end.line, line], final) or line
+    scene.desk.ends.pop()
+    scene.desk.end(name, line, final)
 
 
 def offset_over(scene: Scene, symbol: sp.Symbol) -> OffsetOver | None:
