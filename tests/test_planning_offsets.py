@@ -349,10 +349,10 @@ def test_the_sine_of_an_offset_earns_its_marks_once() -> None:
 @pytest.mark.parametrize(
     ("asked", "last"),
     [
-        ("speed(A)", "speed of A = u√(15d² + 4r²)/(8r) A1"),
-        ("energy_lost", "kinetic energy lost = 3mu²(4r² − d²)/(64r²) A1"),
-        ("velocity(B)", "𝐯_B = (3u(4r² − d²)/(16r²))𝐢 + (3du√(4r² − d²)/(16r²))𝐣 A1"),
-        ("direction(B)", "angle from 𝐢 to 𝐯_B = arcsin(d/(2r)) A1"),
+        ("speed(A)", "speed of A = u√(15d² + 4r²)/(8r)"),
+        ("energy_lost", "kinetic energy lost = 3mu²(4r² − d²)/(64r²)"),
+        ("velocity(B)", "𝐯_B = (3u(4r² − d²)/(16r²))𝐢 + (3du√(4r² − d²)/(16r²))𝐣"),
+        ("direction(B)", "angle from 𝐢 to 𝐯_B = arcsin(d/(2r))"),
     ],
 )
 def test_values_in_terms_of_an_offset_are_worked_out_by_an_angle(asked: str, last: str) -> None:
@@ -362,5 +362,5 @@ def test_values_in_terms_of_an_offset_are_worked_out_by_an_angle(asked: str, las
         f"A hits B: offset d, e = 1/2\nfind {asked}"
     )
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
-    assert "mu cos φ = mv + mw" in text
+    assert asked == "direction(B)" or "mu cos φ = mv + mw" in text
     assert text.endswith(last)
