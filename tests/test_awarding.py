@@ -328,6 +328,25 @@ find total_energy_lost
 a: 5 alpha = 20°
 b: 8 total_energy_lost(1) = 1/4 m u^2
 """,
+    # The speeds and the energies of both spheres, which are asked.
+    "speeds-of-both": """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity -i + j
+A hits B: along i, e = 1/2
+find speed(A), speed(B), energy(A), energy(B)
+---
+1 a1 | law restitution 1 A B | velocity A, velocity B, axis 1, e 1 | c(B, 1) - c(A, 1) = 2
+2 a1 | law momentum 1 A B | mass A, mass B, velocity A, velocity B, axis 1 | 2c(A, 1) + 4c(B, 1) = 2
+3 a1 | combine | 1, 2 | c(A, 1) = -1
+4 a1 | define speed 1 A | 3, velocity A | speed(A, 1) = sqrt(17)
+5 a2 | define speed 1 B | 2, 3, velocity B | speed(B, 1) = sqrt(1^2 + 1^2) = sqrt(2) [rearrange]
+6 a3 | define energy 1 A | mass A, 4 | energy(A, 1) = 17
+7 a4 | define energy 1 B | mass B, 5 | energy(B, 1) = 4
+a1: 4 speed(A, 1) = sqrt(17)
+a2: 5 speed(B, 1) = sqrt(2)
+a3: 6 energy(A, 1) = 17
+a4: 7 energy(B, 1) = 4
+""",
     # What the laws say of a component, and what is given.
     "both": """
 sphere A: mass 3m, velocity p i
@@ -848,6 +867,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("velocity-by-size-and-direction", "to-a-point", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("speed-size-angle-distance", "both-moving", 11, "M1 A1", "M1 A1", "M1 A1"),
     ("distance-at-another-time", "two-times", 7, "A1", "A1", "A1"),
+    ("another-speed", "speeds-of-both", 5, "A1ft", "A1ft", "A1ft"),
+    ("another-energy", "speeds-of-both", 7, "A1ft", "A1ft", "A1ft"),
     ("for-an-angle", "speeds-for-an-angle", 13, "", "", ""),
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),

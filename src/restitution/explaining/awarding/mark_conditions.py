@@ -15,7 +15,15 @@ from restitution.explaining.awarding.place_conditions import (
     put_together,
     restated,
 )
-from restitution.explaining.awarding.work import Work, is_settled, length, single_sides, subject_of
+from restitution.explaining.awarding.work import (
+    Work,
+    is_another_assembled,
+    is_like_one_above,
+    is_settled,
+    length,
+    single_sides,
+    subject_of,
+)
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
@@ -573,19 +581,6 @@ def _is_named(tree: Expression) -> bool:
     return isinstance(tree, Letter | Quantity)
 
 
-def _another_assembled(work: Work, line: Line) -> bool:
-    """A velocity is put together below another one of the same impact, in the same part."""
-    if getattr(subject_of(line), "kind", None) != "velocity":
-        return False
-    return any(
-        other.move.record in ("assemble", "changed-velocity")
-        and other.move.event == line.move.event
-        and work.part(other) == work.part(line)
-        and other.number not in work.ends
-        for other in work.above(line)
-    )
-
-
 def _by_its_letter(work: Work, line: Line) -> bool:
     """A letter stands for the component already: nothing is read off."""
     cited = list(work.cited(line))
@@ -662,7 +657,8 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "an-angle-to-a-line": _an_angle_to_a_line,
     "of-one-term": _of_one_term,
     "for-an-angle": _for_an_angle,
-    "another-assembled": _another_assembled,
+    "another-assembled": is_another_assembled,
+    "like-one-above": is_like_one_above,
     "asked": lambda work, line: (
         subject_of(line) in [end.answer.options[0][0].left for end in work.derivation.items]
     ),

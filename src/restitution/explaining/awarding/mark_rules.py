@@ -149,6 +149,7 @@ RULES: tuple[Rule, ...] = (
     _rule("distance-at-rest", ("define",), "B", ("distance",), ("distance-at-rest",)),
     _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
     _rule("product-read-off", ("define",), "", ("product",), ("of-one-component",)),
+    _rule("another-speed", ("define",), "V", ("speed",), ("like-one-above",)),
     _rule(
         "speed-size-angle-distance",
         ("define",),
@@ -209,6 +210,7 @@ RULES: tuple[Rule, ...] = (
     _rule("share-of-what-is-given", ("put",), "M", when=("share-of-the-data",)),
     _rule("energy-of-all", ("define",), "", ("total",), ("of-one-body",)),
     _rule("energy-that-goes-on", ("define",), "M", ENERGIES, ("inline",)),
+    _rule("another-energy", ("define",), "V", ("energy",), ("alone", "like-one-above")),
     _rule("energy", ("define",), "M A", ENERGIES, ("alone",)),
     _rule("first-of-several-energies", ("define",), "M", ENERGIES, ("first-of-several",)),
     _rule("second-of-several-energies", ("define",), "A", ENERGIES, ("second-of-several",)),

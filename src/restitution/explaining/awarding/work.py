@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Protocol
 
 from restitution.explaining.awarding.mark_rules import Rule
@@ -75,3 +76,25 @@ def subject_of(line: Line) -> Expression | None:
     if sides is None or not isinstance(sides[0], Letter | Quantity):
         return None
     return sides[0]
+
+
+def is_like_one_above(work: Work, line: Line) -> bool:
+    """Whether a line above in the same part is by the same definition, after the same event."""
+    return any(
+        replace(other.move, bodies=()) == replace(line.move, bodies=())
+        and work.part(other) == work.part(line)
+        for other in work.above(line)
+    )
+
+
+def is_another_assembled(work: Work, line: Line) -> bool:
+    """A velocity is put together below another one of the same impact, in the same part."""
+    if getattr(subject_of(line), "kind", None) != "velocity":
+        return False
+    return any(
+        other.move.record in ("assemble", "changed-velocity")
+        and other.move.event == line.move.event
+        and work.part(other) == work.part(line)
+        and other.number not in work.ends
+        for other in work.above(line)
+    )
