@@ -463,3 +463,14 @@ def test_an_angle_from_i_of_more_than_a_straight_one_adds_up_at_a_wall(
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert f"β = {angle + 10}° − {angle}° = 10°" in text
     assert not follow(derivation, oracle_of(problem))
+
+
+def test_two_equal_deflections_that_are_right_angles_have_no_tangent() -> None:
+    """Where 1 − tan 30° tan 60° is zero the scalar products say it."""
+    statement = (
+        "sphere A: mass m, velocity u at 30°\nsphere B: mass m, velocity u at -150°\n"
+        "A hits B: along i, e = 1/3\nshow deflection(A) = deflection(B)\nfind deflection(A)"
+    )
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert "𝐮_B · 𝐯_B = −(√3 u/2)(√3 u/6) + (u/2)(u/2) = 0" in said
+    assert "follow" not in said

@@ -32,7 +32,7 @@ from restitution.planning.formulas.named_angles import letter_known, letter_of, 
 from restitution.planning.formulas.turns import NONE, Direction, Form, Turn
 from restitution.planning.writing.angle_ratios import given_ratio, range_of, write_other_ratio
 from restitution.planning.writing.angles import RIGHT, STRAIGHT
-from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
     ONE,
     TWO,
@@ -456,6 +456,8 @@ def by_tangents(
     tangents = [term.tangent for term in terms]
     by_one = _by_one_multiple(scene, form, tangents)
     both = scene.scalar(product(*tangents))
+    if tidy(both) == (-1 if form.endswith("difference") else 1):
+        raise NotPlannedError("a right angle has no tangent")
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
     both_tree = both_tree if by_one is None else by_one[0]
     put = swept(tangent_of(form, tangents[0], tangents[1], both_tree))
