@@ -13,6 +13,7 @@ import sympy as sp
 from derivations import oracle_of
 from workings import planned
 
+from restitution.explaining.data.facts import facts_of
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Relation
 from restitution.expression.tree import Binary
@@ -474,3 +475,37 @@ def test_two_equal_deflections_that_are_right_angles_have_no_tangent() -> None:
     said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
     assert "𝐮_B · 𝐯_B = −(√3 u/2)(√3 u/6) + (u/2)(u/2) = 0" in said
     assert "follow" not in said
+
+
+def test_the_complement_of_an_angle_with_a_ratio_is_put_in_by_its_inverse() -> None:
+    problem, derivation = planned(
+        "wall W: along j\nsphere P: mass 2, velocity u at alpha\nP hits W: e = 1/2\n"
+        "given tan(alpha) = 3/4\nfind deflection(P)"
+    )
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "δ = 90° − α + β = 90° − arctan(3/4) + arctan(2/3)" in text
+    assert not follow(derivation, oracle_of(problem))
+
+
+def test_ratios_of_angles_apart_are_one_on_a_slanting_line() -> None:
+    problem, derivation = planned(
+        "sphere A: mass 3, velocity u at 125°\nsphere B: mass 0.5, at rest\n"
+        "A hits B: along i + j, e = 0.6\nfind speed(B)"
+    )
+    assert any(
+        "10°" in write_expression(tree)
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        for tree in line.relation.trees
+    )
+    assert not follow(derivation, oracle_of(problem))
+
+
+def test_spheres_that_approach_against_a_line_as_it_stands_do_so_in_the_facts() -> None:
+    problem = parse(
+        "sphere A: mass 3, velocity u at 200°\nsphere B: mass 2, at rest\n"
+        "A hits B: along 3i + 4j, e = 2/3\nfind speed(B)"
+    )
+    (fact,) = (own for own in facts_of(problem) if own.id == "approach 1")
+    assert isinstance(fact.relation, Relation)
+    assert fact.relation.only[0].sign == "<"

@@ -225,7 +225,8 @@ class FactsOf(Arrangement):
                 yield Fact(f"offset {number}", "geometry", near, None, step.place)
         if step.along is None:
             return
-        speeds = [self.sphere(name).velocity for name in (step.first, step.second)]
+        first, second = (self.sphere(name) for name in (step.first, step.second))
+        speeds = (first.velocity, second.velocity)
         if number > 1 or (
             all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds))
         ):
@@ -236,7 +237,9 @@ class FactsOf(Arrangement):
                 )
                 for name in (step.first, step.second)
             )
-            side = side_along(self, step, axis) if number > 1 else None
+            side = (
+                side_along(self, step, axis) if number > 1 else self.approach(first, second, axis)
+            )
             nearer = Relation(((Link(a, "<" if side == -1 else ">", b),),))
             yield Fact(f"approach {number}", "geometry", nearer, None, step.place)
 

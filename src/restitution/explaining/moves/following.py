@@ -53,8 +53,7 @@ def follows(step: Step, relation: Relation) -> bool:
     """
     if _follows(step, relation):
         return True
-    is_component = step.move.id == "define" and step.move.record == "component"
-    if step.move.id != "law" and not is_component:
+    if step.move.id not in ("law", "define"):
         return False
     by_degrees = frozenset({*step.identities, "degrees"})
     if (
@@ -79,10 +78,14 @@ def _has_inverses(step: Step) -> bool:
 
 
 def _gives_a_number(relation: Relation) -> bool:
-    """Whether a line is an equation for one value: a longer one would take minutes by degrees."""
+    """Whether a line is an equation for one number, or for a multiple of one letter.
+
+    A longer one would take minutes by degrees.
+    """
     links = relation.options[0]
     return len(relation.options) == 1 and all(
-        link.sign == "=" and not (letters(link.right) or has_quantity(link.right)) for link in links
+        link.sign == "=" and len(letters(link.right)) <= 1 and not has_quantity(link.right)
+        for link in links
     )
 
 

@@ -169,12 +169,12 @@ def _left_along_the_wall(
 
 
 def _by_its_ratio(scene: Scene, given: Source) -> Source:
-    """An angle of which a ratio is given, or twice such a one, by the inverse of that."""
-    count, letter = given.value.as_coeff_Mul()
-    if str(letter) not in scene.ratio_facts:
+    """An angle by the inverse of a ratio that is given: of itself, its half or its complement."""
+    letters = [letter for letter in given.value.free_symbols if str(letter) in scene.ratio_facts]
+    if len(letters) != 1:
         return given
-    line = inverse_of_data(scene, str(letter))
-    value = count * scene.scalar(scene.desk.last_link(line).right)
+    line = inverse_of_data(scene, str(letters[0]))
+    value = given.value.subs(letters[0], scene.scalar(scene.desk.last_link(line).right))
     return Source(value, together(given.refs, (line,)))
 
 
