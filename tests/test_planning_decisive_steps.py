@@ -544,3 +544,118 @@ def test_a_tangent_with_roots_beside_a_sine_without_an_exact_value_goes_by_figur
     assert "v = (u sin 50°)/tan 75° ≈ 0.2053u" in own
     assert "mu cos 50° ≈ m × 0.2053u + mw" in own
     assert "w ≈ 0.4375u" in own
+
+
+# --- values put in, numbers compared, and angles ------------------------------------------------
+
+AWAY = """
+sphere P: mass m, velocity u i
+sphere Q: mass M, velocity -w i
+P hits Q: along i, e = 1/2
+given u > 0, w > 0
+part a
+find along(velocity(P), i), along(velocity(Q), i)
+part b
+"""
+
+
+def test_a_quotient_of_letters_is_put_into_a_sum_before_that_is_worked_out() -> None:
+    own = rows(AWAY + "given w = m u/M\nshow along(velocity(Q), i) = m u/(2M)")
+    said = "x = (m(3u + mu/M) − 2M(mu/M))/(2(m + M)) = mu/(2M) (as required)"
+    assert said in own
+
+
+def test_the_tangent_of_an_angle_in_degrees_stands_before_its_value() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+let theta = angle(velocity(A), velocity(B))
+part a
+show tan(theta) = 2 tan(alpha)/(1 - e)
+part b
+given tan(alpha) = 1/2, theta = 75°
+find e
+"""
+    own = rows(text)
+    assert "tan 75° = (2 × ½)/(1 − e)" in own
+    assert own[-1] == "e ≈ 0.732"
+
+
+def test_a_bound_of_a_quotient_comes_of_its_own_one() -> None:
+    own = rows(AWAY.replace("M", "2m") + "given velocity(Q) in the direction of -i\nshow u/w < 3/2")
+    place = own.index("u/w < 3/2 (as required)")
+    assert own[place - 1] == "u/w < 1"
+
+
+TWO_WALLS = """
+wall V: along i
+wall W: along j
+sphere P: mass m, velocity 4u i - 3u j
+P hits V: e = 5/7
+P hits W: e = 3/5
+"""
+
+
+@pytest.mark.parametrize(
+    ("claim", "said"),
+    [
+        ("speed(P)^2 < 11u^2", "as 12681/1225 < 13475/1225 = 11"),
+        ("speed(P) < 10/3 u", "as 3√1409/35 ≈ 3.22 < 10/3"),
+        ("energy(P) < 1/2 energy(0)", "as 12681/2450 ≈ 5.18 < 25/4"),
+    ],
+)
+def test_numbers_that_are_not_compared_at_sight_say_how_they_compare(claim: str, said: str) -> None:
+    assert said in " ".join(rows(TWO_WALLS + f"show {claim}"))
+
+
+def test_an_angle_that_is_summed_in_degrees_has_its_degrees_before() -> None:
+    own = rows(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/3\n"
+        "given energy_lost = 1/3 energy(0)\nfind deflection(P)"
+    )
+    place = own.index("δ ≈ 37.76° + 14.48°")
+    assert "≈ 37.76°" in own[:place] and "β ≈ 14.48°" in own[:place]
+
+
+def test_a_direction_in_exact_degrees_says_its_quadrant() -> None:
+    own = rows(
+        "wall W: along j\nwall V: along i\nsphere P: velocity 2 at 30°\nP hits W: e = 0.9\n"
+        "P hits V: e = 0.9\nfind direction(P)"
+    )
+    assert own[-1] == "θ = −150°, as 𝐯₂ has a negative 𝐢-component"
+
+
+@pytest.mark.parametrize(
+    ("second", "start", "said"),
+    [
+        ("70°", "160°", "OA and OB meet at 70°. Exterior angle of the triangle that they make"),
+        ("25°", "50°", "The angle between the path and OA is an exterior angle of the triangle"),
+    ],
+)
+def test_an_angle_to_the_next_wall_is_one_of_a_triangle(second: str, start: str, said: str) -> None:
+    text = (
+        f"wall OA: along i\nwall OB: along {second}\nsphere P: velocity 8 at {start} to OA\n"
+        "P hits OA: e = 0.8\nP hits OB: e = 0.5\nfind angle(velocity(P, 1), OB)"
+    )
+    assert said in " ".join(rows(text))
+
+
+def test_a_given_speed_is_said_again_where_a_later_part_uses_it() -> None:
+    text = TWO.format(a="m", u="3u i", b="k m", v="velocity u i", e="") + (
+        "given speed(A) = 1/2 u\npart a\nfind e in terms of k\npart b\ngiven e = 1/2\nfind k"
+    )
+    own = rows(text)
+    assert own[own.index("½u = 3u/(1 + k)") - 1] == "It is given that the speed of A is ½u:"
+
+
+def test_a_completed_square_tells_a_sign_by_itself() -> None:
+    own = " ".join(
+        rows(
+            "sphere A: mass 3m, velocity u i\nsphere B: mass m, at rest\n"
+            "sphere C: mass m, at rest\nA hits B: along i\nB hits C: along i, e = e\n"
+            "show A and B collide again"
+        )
+    )
+    assert "(3(e − ⅓)² + 8/3)/8" in own and "as (e − ⅓)² ≥ 0" in own
+    assert "discriminant" not in own

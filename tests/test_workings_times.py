@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.workings import explain, to_text
@@ -43,7 +45,7 @@ def test_how_far_apart_two_are_comes_of_a_place_that_is_asked() -> None:
 
 def test_a_first_impact_at_the_start_has_its_time() -> None:
     text = printed(TO_A_WALL + "find time(2)")
-    assert "A and B are at one place at the start: t₁ = 0" in text
+    assert "A and B start at the same point, so they collide at once: t₁ = 0" in text
 
 
 def test_two_with_radii_close_the_gap_between_them() -> None:
@@ -91,3 +93,18 @@ def test_on_one_line_nobody_is_said_to_be_met() -> None:
     )
     assert "A meets B" not in text
     assert "velocity × time, for A: position of A at the third impact = " in text
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "place"),
+    [("2i + j", "-2i + 3j", "(1, 2)"), ("u i", "u j", "(a, b)"), ("-u j", "2u j", "(0, 0)")],
+)
+def test_who_starts_at_one_point_collides_at_once(one: str, other: str, place: str) -> None:
+    text = printed(
+        f"sphere P: mass 3, velocity {one}, at {place}\n"
+        f"sphere Q: mass 1, velocity {other}, at {place}\n"
+        f"P hits Q: along {'j' if place == '(0, 0)' else 'i'}, e = 1/2\n"
+        "find time(1), velocity(P)"
+    )
+    assert "P and Q start at the same point, so they collide at once: t = 0" in text
+    assert "-coordinate of" not in text

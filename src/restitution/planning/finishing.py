@@ -41,6 +41,7 @@ from restitution.planning.writing.squares_of_surds import with_squares_of_surds
 from restitution.planning.writing.squares_together import with_squares_together
 from restitution.planning.writing.sums_apart import with_sums_apart
 from restitution.planning.writing.values_first import with_values_first
+from restitution.planning.writing.values_out import with_values_out
 from restitution.problem import Problem
 from restitution.solving.story.letters import roles
 
@@ -73,7 +74,13 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
             with_sums_apart,
             with_one_component,
         ),
-        *(with_angles_of_paths, with_kept_ratios, with_one_angle, with_squares_together),
+        *(
+            with_values_out,
+            with_angles_of_paths,
+            with_kept_ratios,
+            with_one_angle,
+            with_squares_together,
+        ),
     ):
         shorter = shortened(whole, oracle)
         whole = whole if shorter is whole else pruned(shorter)

@@ -42,7 +42,10 @@ from restitution.workings.naming.measured import (
 from restitution.workings.naming.row_sides import (
     are_values,
 )
-from restitution.workings.naming.sums_in_degrees import degrees_of
+from restitution.workings.naming.sums_in_degrees import (
+    degrees_of,
+    is_sum_of_inverses_of_roots,
+)
 from restitution.workings.reasons.possible_roots import why_possible
 from restitution.workings.rendering.steps import REQUIRED, Row
 
@@ -105,19 +108,40 @@ class Rows(Chains):
             yield angle
 
     def _angle_carried(self, line: Line) -> Row | None:
-        """The degrees of an angle of which a line has the tangent, where a sum below has them."""
-        if not self._figures.with_calculator or self._ends.of(line) is not None:
+        """The degrees of an angle of which a line has the tangent, where a sum below has them.
+
+        Where a line has the angle as the inverse of a ratio, they go on from that.
+        """
+        if self._ends.of(line) is not None:
             return None
+        match line.move.id, line.relation:
+            case "inverse", Relation(((Link(Letter(), "=", value),),)) if self._is_summed(value):
+                degrees = degrees_of(value)
+                return Row((None, self._naming.layout(degrees)), ("≈",)) if degrees else None
         for own in self._derivation.lines:
             match own.relation:
                 case Relation(((Link(Letter() as angle, "=", value),),)) if (
-                    own.move.id,
-                    own.shown,
-                ) == ("inverse", "silent") and line.number in own.premises:
+                    (
+                        own.move.id,
+                        own.shown,
+                    )
+                    == ("inverse", "silent")
+                    and line.number in own.premises
+                    and (self._figures.with_calculator or self._is_summed(value))
+                ):
                     degrees = degrees_of(value)
                     sides = [self._naming.layout(side) for side in (angle, degrees) if side]
                     return Row(tuple(sides), ("≈",)) if degrees else None
         return None
+
+    def _is_summed(self, angle: Expression) -> bool:
+        """Whether a line below has an angle in a sum of inverses that stands in degrees."""
+        return any(
+            is_sum_of_inverses_of_roots(links[0].right) and angle in set(walk(links[0].right))
+            for own in self._derivation.lines
+            if isinstance(own.relation, Relation)
+            for links in own.relation.options
+        )
 
     def _as_the_question_has_it(self, row: Row, link: Link) -> Row:
         """The row of what was to be shown, with the letter of the question for a time in it."""

@@ -146,6 +146,12 @@ def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
     for since in range(max(own, default=0), event.number):
         paces = [settled(Quantity("velocity", (b,), since), step.setting.events) for b in bodies]
         closing = step.rules().put_into(step.world.value(Binary("-", *paces)))
+        parting = isinstance(closing, Plane) and any(
+            step.signs.of(pace) in (1, -1) for pace in (closing.x, closing.y)
+        )
+        if together and parting and _are_in_one_place(step, bodies, since):
+            # Who is together and parts meets there and then.
+            yield Link(Quantity("time", (), event.number), "=", Quantity("time", (), since))
         if not isinstance(closing, Plane) or closing.x.vanishes == closing.y.vanishes:
             continue
         axis, pace = ("i", closing.x) if closing.y.vanishes else ("j", closing.y)
@@ -165,6 +171,13 @@ def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
         for length in (*lengths, early):
             left = length if together else Binary("-", length, late)
             yield Link(left, "=", quotient)
+
+
+def _are_in_one_place(step: Step, bodies: tuple[Name, ...], number: int) -> bool:
+    """Whether what is cited says that two bodies are at one place at an event, or at the start."""
+    ends = [settled(Quantity("position", (b,), number), step.setting.events) for b in bodies]
+    gap = step.rules().put_into(step.world.value(Binary("-", *ends)))
+    return isinstance(gap, Plane) and gap.x.vanishes and gap.y.vanishes
 
 
 def _along(kind: str, body: str, stage: int, axis: str) -> Quantity:

@@ -41,6 +41,8 @@ from restitution.planning.writing.inequalities import same, subject_of
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
+_R = sp.Dummy("r")
+
 
 class ClaimLines:
     """What a part says of its letters: equations that tie them, and lines of conditions."""
@@ -150,6 +152,7 @@ class ClaimLines:
         ]
         for condition in conditions:
             line = self.judge.write((Move("rearrange"),), [condition], relation)
+            line = line or self._by_its_own_bound(condition, relation)
             if line is not None:
                 return line
         kind: MoveId = "compare" if conditions else "sign"
@@ -170,6 +173,33 @@ class ClaimLines:
         if line is None:
             self.worths.back(mark)
         return line
+
+    def _by_its_own_bound(self, condition: int, relation: Relation) -> int | None:
+        """A bound of a quotient of letters, by the closer one that a line between them makes of it.
+
+        ``u < 7v/3`` says that u/v is less than 7/3, and so less than 5/2.
+        """
+        own = self.scene.desk.relation(condition)
+        match relation.options, own.options:
+            case (
+                ((Link(Binary("/", Letter(), Letter()) as ratio, sign, right),),),
+                ((Link(low, "<" | "<=" | ">" | ">=", high),),),
+            ) if not letters(right):
+                above, below = (self.worths.value(side) for side in (ratio.left, ratio.right))
+            case _:
+                return None
+        gap = sp.together(
+            (self.worths.value(low) - self.worths.value(high)).subs(above, below * _R)
+        )
+        ends = sp.solve(sp.fraction(gap)[0], _R)
+        if len(ends) != 1 or ends[0].free_symbols:
+            return None
+        for order in (sign, f"{sign[0]}="):
+            closer = Relation(((Link(ratio, order, tree_of(ends[0])),),))  # type: ignore[arg-type]
+            line = self.judge.write((Move("rearrange"),), [condition], closer)
+            if line is not None:
+                return self.judge.write((Move("compare"),), [line], relation)
+        return None
 
     def coefficients(self, names: Iterable[str]) -> list[str]:
         """The coefficients of restitution among some letters."""

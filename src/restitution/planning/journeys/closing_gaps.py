@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+
+import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Binary, Name, Negate, Quantity
-from restitution.planning.formulas.whereabouts import offset_at, standing, start, velocity
+from restitution.planning.formulas.whereabouts import (
+    last_move,
+    offset_at,
+    standing,
+    start,
+    velocity,
+)
 from restitution.planning.journeys.flights import time_since
 from restitution.planning.writing.desk import Source, chain, together
-from restitution.planning.writing.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    negative,
+    product,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.forms import number as number_tree
-from restitution.planning.writing.place_trees import Axis
+from restitution.planning.writing.place_trees import Axis, time_tree
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -73,6 +89,26 @@ def time_of_closing(
     return None if line is None else scene.desk.know(flight, value, (line,))
 
 
+def time_at_once(scene: Scene, number: int, pair: tuple[str, str]) -> Source | None:
+    """The time of an impact of spheres that start at one place and part: 0; None of others."""
+    facts = [f"{kind} {body}" for body in pair for kind in ("position", "velocity")]
+    if any(last_move(scene, body, number) for body in pair) or not facts_hold(scene, facts):
+        return None
+    first, other = (scene.value(scene.facts[ref].relation.only[0].right) for ref in facts[::2])
+    if any(tidy(a - b) != 0 for a, b in zip(first, other, strict=True)):
+        return None
+    when = time_tree(number)
+    relation = chain(when, (ZERO, None))
+    pool = (*facts, f"contact {number}", *start(scene)[1])
+    line = scene.judge.write((Move("define", "straight-line", number, pair),), pool, relation)
+    return None if line is None else scene.desk.know(when, sp.Integer(0), (line,))
+
+
+def facts_hold(scene: Scene, refs: Iterable[str]) -> bool:
+    """Whether facts are of the statement, and in force."""
+    return all(ref in scene.facts and scene.desk.holds(ref) for ref in refs)
+
+
 def _distance(scene: Scene, pair: tuple[str, str], stage: int) -> Source | None:
     """How far apart two bodies are at an event, where a line says it."""
     names = tuple(map(Name, pair))
@@ -82,4 +118,4 @@ def _distance(scene: Scene, pair: tuple[str, str], stage: int) -> Source | None:
     return next((line for line in lines if line is not None), None)
 
 
-__all__ = ["time_of_closing"]
+__all__ = ["time_at_once", "time_of_closing"]

@@ -7,6 +7,8 @@ Everything is counted along **i** and **j**.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from restitution.exact import tidy
@@ -43,7 +45,7 @@ from restitution.planning.journeys.arrivals import (
     time_of_both,
     time_to_wall,
 )
-from restitution.planning.journeys.closing_gaps import time_of_closing
+from restitution.planning.journeys.closing_gaps import time_at_once, time_of_closing
 from restitution.planning.journeys.encounters import with_the_gap
 from restitution.planning.journeys.flights import (
     begin_of,
@@ -188,6 +190,8 @@ def _moved(
     if pace.value != 0:
         flight, length, used = flight_time(scene, near, stage)
         refs += used
+        if length == 0:
+            return _where_it_was(scene, body, stage, axis, first.value, refs)
         in_degrees = by_degrees(scene, body, last_move(scene, body, stage), axis)
         if in_degrees is None or scene.model.sign(scene.model.in_data(pace.value)) < 0:
             in_degrees = tree_of(pace.value)
@@ -205,6 +209,17 @@ def _moved(
     if earlier and not scene.judge.follows(move, refs, relation):
         return None
     return scene.desk.know(quantity, value, (scene.desk.write(move, refs, relation),))
+
+
+def _where_it_was(
+    scene: Scene, body: str, stage: int, axis: Axis, value: sp.Expr, refs: Sequence[Ref]
+) -> Source | None:
+    """A coordinate at an event that is at the time of the one before: nothing has moved since."""
+    quantity = coordinate_tree(body, stage, axis)
+    move = Move("define", "straight-line", stage, (body,))
+    relation = chain(quantity, (tree_of(value), None))
+    line = scene.judge.write((move,), refs, relation, shown="silent")
+    return None if line is None else scene.desk.know(quantity, value, (line,))
 
 
 def _steady_since(scene: Scene, body: str, since: int, axis: Axis) -> tuple[int, tuple[Ref, ...]]:
@@ -569,6 +584,9 @@ def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Sourc
     if circle_of(scene, number) is not None:
         approaches = [_approach(scene, body, number) for body in scene.bodies(number)]
         return start(scene)[0], time_of_touching(scene, number, approaches)
+    at_once = time_at_once(scene, number, (step.first, step.second))
+    if at_once is not None:
+        return start(scene)[0], at_once
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if rests(scene, other, number) or _comes_across(scene, number, body, other):
             return _leg_to_resting(scene, number, body, other)

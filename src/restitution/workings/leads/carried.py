@@ -59,6 +59,8 @@ _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "next-wall.angle",
     "next-wall.between",
     "next-wall.corner",
+    "next-wall.exterior",
+    "next-wall.exterior-before",
     "derived.add",
     "derived.by-from",
     "derived.combine",

@@ -139,7 +139,7 @@ class GivenLeads(Leads):
             if isinstance(ref, str)
             and (fact := self._derivation.fact(ref)) is not None
             and (fact.kind == "given" or (fact.kind == "range" and ref.startswith("given")))
-            and fact.id not in self._given
+            and (fact.id not in self._given or self._is_of_a_later_part(line, fact))
             and not _gives_a_mass(fact)
         ]
         if line.move.record in ("perpendicular", "parallel"):
@@ -154,6 +154,15 @@ class GivenLeads(Leads):
             # An angle of the data is a value too.
             facts = [fact for fact in facts if any(map(has_quantity, trees_of(fact.relation)))]
         return facts
+
+    def _is_of_a_later_part(self, line: Line, fact: Fact) -> bool:
+        """Whether a speed that is given is put in anew in a part: it is said there once more."""
+        part = self._derivation.asked.get(line.item or "")
+        return line.move.record == "speed" and all(
+            self._derivation.asked.get(own.item or "") != part
+            for own in self._derivation.lines[: line.number - 1]
+            if fact.id in own.premises
+        )
 
     def _of_a_multiple(
         self, line: Line, fact: Fact, sentence: Sentence | lay.Layout

@@ -417,6 +417,13 @@ class TurnLeads(LinesAround):
         names = {"next": wall, "wall": own, "angle": self._naming.layout(between)}
         if any(STRAIGHT_ANGLE in walk(tree) for tree in trees_of(line.relation)):
             return say("next-wall.corner", **names)
+        assert isinstance(line.relation, Relation)
+        # Of the angles that three lines make with each other the sum of two is an exterior angle.
+        match line.relation.only[0].right:
+            case Binary("+"):
+                return say("next-wall.exterior", **names)
+            case Binary("-", _, Degrees()):
+                return say("next-wall.exterior-before", **names)
         return say("next-wall.between", **names)
 
     def _from_a_wall(self, line: Line, body: str, wall: str) -> Sentence | None:

@@ -19,14 +19,17 @@ from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
     Expression,
+    Number,
     has_quantity,
     is_binary,
     is_zero,
+    letters,
     walk,
 )
 from restitution.oracle import Role
 from restitution.planning.writing.forms import (
     ZERO,
+    factors,
     negative,
     product,
     square,
@@ -42,7 +45,7 @@ def definite_sums(
     """The quadratics on whose sign a line rests, with why they have it.
 
     That is the discriminant of one in a letter; of one in two letters it is a sum of squares, and
-    then the last value is false.
+    then the last value is false. So it is of one whose square is completed already.
     """
     if line.move.id not in ("sign", "compare") or not isinstance(line.relation, Relation):
         return
@@ -76,6 +79,12 @@ def _definite(
         value = sp.expand(worth_of(tree, roles))
     except (RestitutionError, TypeError, ValueError):
         return
+    match tree:
+        case Binary("+", first, number) if not letters(number):
+            of_sums = [e for e in factors(first) if _is_square_of_sum(e)]
+            if len(of_sums) == 1 and sum(1 for e in factors(first) if letters(e)) == 1:
+                yield tree, Relation(((Link(of_sums[0], ">=", ZERO),),)), False
+                return
     symbols = sorted(value.free_symbols, key=lambda e: e.name)
     if not value.is_polynomial(*symbols) or not 0 < len(symbols) < 3:
         return
@@ -94,6 +103,14 @@ def _definite(
     rest = tree_of((c - b**2 / (4 * a)) * other**2)
     squares = total((product(tree_of(a), square(inside)), rest))
     yield tree, equality(tree, squares), False
+
+
+def _is_square_of_sum(tree: Expression) -> bool:
+    """Whether an expression is the square of a sum, or of a difference."""
+    match tree:
+        case Binary("^", Binary("+" | "-"), Number(power)):
+            return power == 2
+    return False
 
 
 def discriminant_of(quadratic: sp.Poly) -> Relation:

@@ -41,6 +41,7 @@ from restitution.expression.tree import (
     is_quantity,
     is_zero,
     letters,
+    unsigned,
     walk,
 )
 from restitution.oracle.roles import Role
@@ -335,8 +336,9 @@ def _is_name(fact: Fact) -> bool:
 
 def _is_beyond(angle: Expression) -> bool:
     """Whether an angle is more than 90°, on either side."""
-    if isinstance(angle, Degrees):
-        return abs(angle.value) > 90
+    size = unsigned(angle)
+    if isinstance(size, Degrees):
+        return abs(size.value) > 90
     return any(isinstance(node, Degrees) and node.value == 180 for node in walk(angle))
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Line, Link, Relation, turned
+from restitution.explaining.lines.derivation import Line, Link, Relation, Sign, turned
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
@@ -18,14 +19,20 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Number,
+    Rounded,
+    has_quantity,
     is_binary,
     is_function,
     letters,
     walk,
 )
 from restitution.oracle.roles import Role
-from restitution.planning.writing.forms import ZERO, factors_above
+from restitution.planning.writing.forms import ZERO, factors_above, tree_of
+from restitution.workings.naming.measured import number_carried
 from restitution.workings.naming.quantities import Naming
+
+# Fractions of so many parts are not compared at sight, and of so many not by their parts.
+_MANY_PARTS, _TOO_MANY_PARTS = 30, 2000
 
 
 def is_never_negative(tree: Expression, roles: Mapping[str, Role]) -> bool:
@@ -42,6 +49,63 @@ def is_never_negative(tree: Expression, roles: Mapping[str, Role]) -> bool:
         case Apply("sqrt"):
             return True
     return False
+
+
+def multiples_compared(line: Relation, cited: Sequence[Relation]) -> Relation | None:
+    """``511/1296 < 648/1296 = ½``, where two multiples of one thing are compared, not at sight.
+
+    Of long fractions and of roots, to some figures: ``3√1409/35 ≈ 3.22 < 10/3``. None of what are
+    no multiples of one thing, and of what is seen.
+    """
+    match line.options:
+        case ((Link(Letter(), _, Letter()),),):
+            return None  # what they are stands beside them
+        case ((Link(_, "<" | "<=" | ">" | ">=") as link,),):
+            pass
+        case _:
+            return None
+    values = {own.only[0].left: own.only[-1].right for own in cited if len(own.options) == 1}
+    sides = [_multiple(values.get(side, side)) for side in (link.left, link.right)]
+    if sides[0] is None or sides[1] is None or sides[0][1] != sides[1][1]:
+        return None
+    one, other = (side[0] for side in sides if side is not None)
+    gap = sp.sign(one - other)
+    if gap == 0:
+        return None
+    sign: Sign = "<" if gap < 0 else ">"
+    if one.is_Rational and other.is_Rational:
+        parts = int(sp.ilcm(one.q, other.q))
+        if parts < _MANY_PARTS:
+            return None
+        if parts < _TOO_MANY_PARTS:
+            first, second = (_quotient(int(x * parts), parts) for x in (one, other))
+            links = [Link(first, sign, second)]
+            if other.q != parts:
+                links.append(Link(second, "=", tree_of(other)))
+            return Relation((tuple(links),))
+    last = tree_of(other)
+    for figures in range(3, 7) if other.is_Rational else ():
+        number = number_carried(one, figures)
+        if number is not None and (number < other if sign == "<" else number > other):
+            near = Rounded(number, figures)
+            return Relation(((Link(tree_of(one), "≈", near), Link(near, sign, last)),))
+    return None
+
+
+def _multiple(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
+    """A positive number, and the letters of which a value is so many times their product."""
+    if has_quantity(tree):
+        return None
+    try:
+        value = sp.sympify(in_letters(tree, positive=True))
+    except (RestitutionError, TypeError):
+        return None
+    number, rest = value.as_independent(*value.free_symbols) if value.free_symbols else (value, 1)
+    return (number, sp.sympify(rest)) if value.is_Mul or not value.is_Add else None
+
+
+def _quotient(above: int, below: int) -> Expression:
+    return Binary("/", Number(Fraction(above)), Number(Fraction(below)))
 
 
 def are_squares(squared: Relation, plain: Relation, roles: Mapping[str, Role]) -> bool:

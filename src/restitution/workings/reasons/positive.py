@@ -29,6 +29,7 @@ from restitution.workings.reasons.known import Known
 from restitution.workings.reasons.multipliers import cleared_factors
 from restitution.workings.reasons.plain_signs import (
     are_squares,
+    multiples_compared,
     positive_letters,
     signs_in_a_sum,
 )
@@ -125,6 +126,15 @@ class PositiveReasons(Known):
         cited = [self._shapes.relation_of(ref) for ref in line.premises]
         if line.move.id == "sign" and len(cited) == 1 and cited[0] is not None:
             yield from map(self._layout, signs_in_a_sum(cited[0], self._roles))
+
+    def _compared(self, line: Line) -> Iterator[lay.Layout]:
+        """That one number is less than another, of two multiples of one thing."""
+        cited = [self._shapes.relation_of(ref) for ref in line.premises]
+        if line.move.id == "sign":
+            assert isinstance(line.relation, Relation)
+            numbers = multiples_compared(line.relation, [own for own in cited if own is not None])
+            if numbers is not None:
+                yield self._layout(numbers)
 
     def _positive_ratio(self, line: Line) -> Iterator[lay.Layout]:
         """That a letter is positive, of a ratio of an angle that is so by it."""

@@ -227,7 +227,7 @@ class Reasons(PositiveReasons):
     def _with_what_no_premise_says(self, line: Line, reasons: Words, grounds: Words) -> Words:
         """The reasons, or where there are none what a reader sees of signs, roots and units."""
         reasons = reasons or tuple(self._positive_sum(line)) or tuple(self._positive_ratio(line))
-        reasons = reasons or tuple(self._both_squared(line))
+        reasons = reasons or tuple(self._both_squared(line)) or tuple(self._compared(line))
         if self._is_root(line):
             reasons = reasons or tuple(self._given_ranges(line))
         if line.move.id == "inverse" and not _is_of_a_sum(line):

@@ -130,6 +130,14 @@ SENTENCES: Mapping[str, str] = {
     "next-wall.between": (
         "{wall} and {next} meet at {angle}. The angle between the path and {next}:"
     ),
+    "next-wall.exterior": (
+        "{wall} and {next} meet at {angle}. Exterior angle of the triangle that they make with the "
+        "path:"
+    ),
+    "next-wall.exterior-before": (
+        "{wall} and {next} meet at {angle}. The angle between the path and {wall} is an exterior "
+        "angle of the triangle that they make with the path:"
+    ),
     "next-wall.corner": (
         "{wall} and {next} meet at {angle}. Third angle of the triangle that they make with the "
         "path:"

@@ -113,7 +113,7 @@ SENTENCES: Mapping[str, str] = {
     "flight.speed-across-wall": "speed perpendicular to {wall}",
     "flight.speed-along-wall": "speed parallel to {wall}",
     "flight.speed-there": "speed in that direction",
-    "flight.at-once": "{bodies:and} are at one place at the start",
+    "flight.at-once": "{bodies:and} start at the same point, so they collide at once",
     "flight.rest": "{body} is at rest, so it stays where it is",
     "flight.rest-beside": "{body} is at rest, so it stays where it touched {other}",
     "flight.origin-taken": (
