@@ -55,9 +55,9 @@ def _with_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
         above = replace(line, number=len(derivation.lines) + 1, relation=own)
         below = replace(line, move=Move("rearrange"), premises=(above.number,))
         order = [
-            each
+            own_line
             for other in derivation.lines
-            for each in ((above, below) if other.number == line.number else (other,))
+            for own_line in ((above, below) if other.number == line.number else (other,))
         ]
         whole = numbered_anew(derivation, order)
         read = reader_of(whole, oracle)

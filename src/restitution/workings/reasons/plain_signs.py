@@ -97,11 +97,11 @@ def _multiple(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
     if has_quantity(tree):
         return None
     try:
-        value = sp.sympify(in_letters(tree, positive=True))
+        value = sp.sympify(in_letters(tree, positive=True), strict=True)
     except (RestitutionError, TypeError):
         return None
     number, rest = value.as_independent(*value.free_symbols) if value.free_symbols else (value, 1)
-    return (number, sp.sympify(rest)) if value.is_Mul or not value.is_Add else None
+    return (number, sp.sympify(rest, strict=True)) if value.is_Mul or not value.is_Add else None
 
 
 def _quotient(above: int, below: int) -> Expression:
