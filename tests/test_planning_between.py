@@ -10,6 +10,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain
 from restitution.workings.derived import explanation_of
 from restitution.workings.rendering.document import to_text
 
@@ -189,3 +190,14 @@ def test_a_line_is_one_step_from_the_line_above(name: str) -> None:
     text = " ".join(to_text(explanation_of(derivation, solution.problem), 160).split())
     for each in said:
         assert each in text, text
+
+
+@pytest.mark.parametrize("angle", ["150°", "120°", "135°"])
+def test_an_impulse_has_degrees_beside_an_angle_in_a_letter(angle: str) -> None:
+    """Only cos 30° gets its value between, and cos α stays: nothing that is cited is put in."""
+    statement = (
+        f"sphere A: mass m, velocity u at alpha\nsphere B: mass k m, velocity u at {angle}\n"
+        "A hits B: along i, e = 1/2\nfind impulse"
+    )
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert "follow" not in said

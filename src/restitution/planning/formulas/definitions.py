@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import sympy as sp
@@ -130,10 +130,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
             final = right  # what follows is its decimal: no other form of it is plainer
         if own.between is not None:
             # Ratios of numbers of degrees have their values by themselves.
-            plain = not any(
-                isinstance(node, Apply) and node.function in _RATIOS and letters(node)
-                for node in walk(own.right)
-            )
+            plain = all(node in walk(own.between) for node in _ratios_of_letters(own.right))
             between = ((swept(own.between), "rearrange" if plain else "put"), *between)
         relation = chain(own.left, (right, None), *between, (final, "rearrange"))
         if _by_pythagoras(scene, own) and not scene.judge.follows(own.move, refs, relation):
@@ -203,6 +200,13 @@ def _is_figure(value: Any) -> bool:
     """Whether a number is made of sines and cosines of degrees that have no exact values."""
     own = sp.sympify(value, strict=True)
     return bool(own.is_number and atoms_in(own, sp.sin, sp.cos, sp.tan))
+
+
+def _ratios_of_letters(tree: Expression) -> Iterator[Apply]:
+    """The sines, cosines and tangents of letters in a tree."""
+    for node in walk(tree):
+        if isinstance(node, Apply) and node.function in _RATIOS and letters(node):
+            yield node
 
 
 def _has_ratio_of_degrees(value: Any) -> bool:
