@@ -101,4 +101,4 @@ def test_a_wall_lies_along_a_vector(typed: str, state: str) -> None:
     marking = restitution.mark(restitution.parse(HIDDEN_WALL), text).json()
     _, of_wall, *_ = [point for point in marking["marks"]["points"] if point["kind"][0] == "A"]
     assert of_wall["state"] == state
-    assert marking["lines"][1]["verdict"] == "remark"
+    assert marking["lines"][1]["verdict"] == ("true" if state == "earned" else "false")

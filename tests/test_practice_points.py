@@ -280,3 +280,84 @@ def test_what_is_asked_about_a_letter_says_how_to_answer() -> None:
         assert f"let {ask.letter} = component of P" in ask.text
         answered = ask.text.partition("such as: ")[2].rstrip(".")
         assert restitution.mark(solution, f"{answered}\n{ask.letter} = 3.83").asks == ()
+
+
+SLANTING = """wall W
+sphere P: mass 2, velocity 6i + 2j
+P hits W
+given velocity(P) = 5j
+find direction(W), e
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("so wall has gradient 2", "true"),
+        ("W has a slope of 1/2", "false"),
+        ("wall makes 63.4 with i", "true"),
+        ("the wall makes 53.1 with i", "false"),
+        ("so wall is parallel to i + 2j", "true"),
+        ("so wall is parallel to -2i + j", "false"),
+        ("direction of wall is 2i + 4j", "true"),
+        ("normal is 2i - j", "true"),
+        ("unit normal to wall (2i + j)/√5", "false"),
+    ],
+)
+def test_how_a_wall_lies_is_a_claim(line: str, verdict: str) -> None:
+    assert verdicts(SLANTING, line) == [verdict]
+
+
+def test_the_direction_of_a_wall_is_answered_by_its_gradient_or_its_angle() -> None:
+    for line in ("so wall has gradient 2", "wall makes 63.4 with i", "wall along i + 2j"):
+        assert of(SLANTING, "correct answer", "change of velocity = -6i + 3j", line)[0]
+    lines = ["so wall is parallel to -2i + j", "normal is i + 2j"]
+    assert verdicts(SLANTING, *lines) == ["false", "follows"]
+    assert not of(SLANTING, "correct answer", *lines, "before (6i + 2j).(i + 2j) = 10")[0]
+
+
+def test_newtons_law_may_be_in_numbers_of_his_own() -> None:
+    law = "Newton's experimental law"
+    wrong = "v_A = 4i + j - 6i - 6j = -2i - 5j"
+    lines = [
+        wrong,
+        "v_B = -i + j + 3i + 3j = 2i + 4j",
+        "along i + j: before 5 and 0, after -7 and 6",
+    ]
+    assert of(BLOW, law, *lines, "13 = 5e") == [True]
+    assert of(BLOW, law, *lines, "e = 13/5") == of(BLOW, law, *lines)
+
+
+def test_of_two_conditions_one_inequality_is_one() -> None:
+    statement = "sphere A: mass m, velocity 3u i\nsphere B: mass k m, velocity -u i\n"
+    statement += "A hits B: along i, e = 1/2\npart a\n"
+    statement += "find along(velocity(A), i), along(velocity(B), i)\npart b\nunknown k\n"
+    statement += "given along(velocity(A), i) < 0, along(velocity(B), i) > 0\nfind range of k"
+
+    def used(*lines: str) -> int:
+        marking = restitution.mark(solution_of(statement), "\n".join(lines), part="b")
+        purpose = "the condition used"
+        own = (x for x in marking.marks.points if x.point.purpose == purpose)
+        return sum(x.state == "earned" for x in own)
+
+    assert used("3 - 3k < 0", "k > 1") == 1
+    assert used("3 - 3k < 0", "k > 1", "5 - k > 0", "1 < k < 5") == 2
+
+
+def test_an_equation_is_no_condition_with_an_inequality() -> None:
+    statement = "sphere A: mass m, velocity u i\nsphere B: mass 3m, at rest\nwall W: along j\n"
+    statement += "A hits B: along i, e = 1/2\nB hits W: e = f\ngiven A and B collide again\n"
+    statement += "find range of f"
+    lines = ["v = -u/8", "w = 3u/8", "speed of B after the wall = 3fu/8"]
+    used = of(statement, "the condition used", *lines, "3f/8 = 1/8", "f = 1/3")
+    assert used == [False]
+    assert of(statement, "the condition used", *lines, "3f/8 > 1/8", "f > 1/3") == [True]
+    assert points(statement, *lines, "3f > 1", "so f > 1/3 up to 1")[-1][2]
+    assert not points(statement, *lines, "3f > 1", "so f > 1/3")[-1][2]
+
+
+def test_the_angle_after_is_the_one_that_is_asked_below_a_mistake() -> None:
+    statement = "wall AB: along i\nwall BC: along 105°\nsphere P: velocity 10 at 45° to AB\n"
+    statement += "P hits AB: e = sqrt(3)/3\nP hits BC: e = 1/2\nfind angle(velocity(P), BC)"
+    lines = ["angle with BC is 75", "perp after = 8.16sin75 = 7.88", "angle after = 75"]
+    assert verdicts(statement, *lines) == ["true", "false", "follows"]

@@ -18,10 +18,12 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
     Quantity,
     has_quantity,
     is_component,
     is_function,
+    is_quantity,
     letters,
     unsigned,
     walk,
@@ -65,6 +67,7 @@ from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.practice.worlds.student import student_world
 from restitution.practice.worlds.world import World
+from restitution.vector import Vector
 
 _USUAL = 0.3
 """A letter takes a meaning of at most this cost from lines below a mistake."""
@@ -110,6 +113,7 @@ class Following(NearlyTrue):
             or self._with_own_numbers(line, link)
             or self._with_own_vectors(line, link)
             or self._with_own_fixed(line, link)
+            or self._of_own_direction(line, link)
             or self._with_own_energies(line, link)
             or self._with_own_components(line, link)
             or self._with_across_exchanged(line, link)
@@ -219,6 +223,33 @@ class Following(NearlyTrue):
                     lines = tuple(dict.fromkeys(numbers[letter] for letter in inside))
                     return JudgedLink("follows", claim, grade, lines)
         return None
+
+    def _of_own_direction(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A vector along, or across, the wrong direction that a line above gives a wall."""
+        for claim in link.readings:
+            own = self._line_along(claim)
+            if own is None:
+                continue
+            for entry in self.entries:
+                above = self._line_along(entry.claim) if entry.wrong else None
+                if above is not None and _are_parallel(above, own):
+                    return JudgedLink("follows", claim, "exact", (entry.number,))
+        return None
+
+    def _line_along(self, claim: Claim) -> Vector | None:
+        """The line of centres by a vector in numbers of which no part is along it, or across."""
+        match claim:
+            case Claim(Number(0), "=", Quantity("along" | "across" as kind, (vector, line))):
+                pass
+            case _:
+                return None
+        if not is_quantity(line, "line_of_centres") or not is_numeric(vector):
+            return None
+        value = self._base.value(vector)
+        if not isinstance(value, Vector):
+            return None
+        x, y = (float(np.ravel(self._base.spread(part))[0]) for part in (value.x, value.y))
+        return Vector(x, y) if kind == "across" else Vector(-y, x)
 
     def _with_own_energies(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """An energy lost, or a ratio of energies, by the energies which the student has."""
@@ -573,6 +604,10 @@ class Following(NearlyTrue):
                         continue
 
         return worth
+
+
+def _are_parallel(one: Vector, other: Vector) -> bool:
+    return bool(abs(one.x * other.y - one.y * other.x) <= OWN_ROUNDING * abs(one.dot(other)))
 
 
 def _family(variant: str) -> str:

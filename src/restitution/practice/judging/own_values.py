@@ -66,6 +66,8 @@ from restitution.problem import Impact, Problem
 _TURNS = ("deflection-difference", "deflection-is-after")
 ALTERED = 3
 """So many of the altered laws that explain a mistake are looked into."""
+# Words that say of a value that it is the last one.
+_OF_THE_END = ("after", "afterwards", "final", "new")
 
 
 class _InTurn(Sequence[World]):
@@ -162,14 +164,15 @@ class OwnValues(Holding):
         return self._own[1]
 
     def _is_of_asked_angle(self, line: ScriptLine, link: Link) -> bool:
-        """Whether a line below a mistake gives *the angle*, and one is asked.
+        """Whether a line below a mistake gives *the angle*, or that *after*, and one is asked.
 
         Another angle may have its value.
         """
         left, base = link.readings[0].left, self._base
         if not isinstance(left, Letter) or not self.wrong:
             return False
-        if not is_phrase(left.name) or not is_vague(left.name):
+        kind = " ".join(word for word in left.name.split() if word not in _OF_THE_END)
+        if not is_phrase(left.name) or not kind or not is_vague(kind):
             return False
         meant = self.meanings(line.number).get(left.name)
         asked = self.question.wanted.trees(base.problem, base.part)

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Link
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
     Letter,
+    Name,
     Negate,
+    Number,
     Pair,
     Quantity,
     Unit,
@@ -63,6 +67,8 @@ class Directions(LineContents):
         link = point.link
         if link is None:
             return False
+        if self._tells_slope(link, line):
+            return True
         if self.is_direction(point):
             return line.verdict in ("true", "remark") and any(
                 self._is_angle(value, link.left, line) or self._is_towards(value, link, line)
@@ -87,6 +93,33 @@ class Directions(LineContents):
         if link.sign != "parallel to":
             return False
         return self._is_parallel(value, link.right, self._meanings(line), line)
+
+    def is_of_direction(self, line: JudgedLine) -> bool:
+        """Whether a line says along which vector a wall, or a line of centres, lies."""
+        return any(
+            link.readings[0].left == Number(Fraction(0))
+            and is_quantity(link.readings[0].right, *COMPONENTS)
+            and is_quantity(link.readings[0].right.arguments[1], "line_of_centres")
+            for link in line.line.links
+        )
+
+    def _tells_slope(self, link: Link, line: JudgedLine) -> bool:
+        """Whether a true line gives the gradient of the line that is asked, or its angle to i."""
+        if line.verdict != "true" or not is_quantity(link.left, "direction", "line_of_centres"):
+            return False
+        meanings = self._meanings(line)
+        own = {node for node in walk(link.left) if isinstance(node, Name)}
+        for chain in chains(line):
+            left = chain[0].left
+            meant = meanings.get(left.name, left) if isinstance(left, Letter) else left
+            nodes = tuple(walk(meant))
+            of_line = any(is_quantity(node, "line_of_centres") for node in nodes)
+            of_line = of_line or (bool(own) and own <= set(nodes))
+            to_axis = any(isinstance(node, Unit) for node in nodes)
+            moving = any(is_quantity(node, "velocity") for node in nodes)
+            if of_line and to_axis and not moving and not any(names_in(chain[-1].right)):
+                return True
+        return False
 
     def words_of_direction(self, point: MarkPoint) -> re.Pattern[str] | None:
         """The words in which a student concludes what is printed of a direction."""

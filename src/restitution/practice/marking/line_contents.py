@@ -37,7 +37,7 @@ from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import Sides, are_close, chains, is_fine, spread_of
 from restitution.practice.reading.vocabulary import HEADS
-from restitution.practice.worlds.arrays import UnvaluedError
+from restitution.practice.worlds.arrays import UnvaluedError, is_bare
 from restitution.problem import Compare, Given, Impact
 from restitution.records import dataclass
 from restitution.vector import Vector
@@ -50,6 +50,14 @@ _UNITS = re.compile(
     r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt|\b(?:so|hence|thus|therefore|ans(?:wer)?)\b",
     re.IGNORECASE,
 )
+
+
+def _is_multiple_of_coefficient(tree: Expression, unknown: frozenset[str]) -> bool:
+    """Whether a tree is a number times a coefficient that is not known."""
+    match tree:
+        case Binary("*", number, Letter(name)) | Binary("*", Letter(name), number):
+            return name in unknown and name.startswith("e") and is_bare(number)
+    return False
 
 
 def _is_of_velocity(point: MarkPoint) -> bool:
@@ -137,6 +145,41 @@ class LineContents(Sides):
             for chain in chains(line)
             for claim in chain
             for own in self.velocities_in(claim, line)
+        )
+
+    def has_rebound(self, line: JudgedLine) -> bool:
+        """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
+        meanings = self._meanings(line)
+        meant = (meanings.get(getattr(tree, "name", ""), tree) for tree in self.unknowns(line))
+        impulses = all(tree == Letter("e") or is_quantity(tree, "impulse") for tree in meant)
+        return impulses and any(
+            node == Letter("e")
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in walk(side)
+        )
+
+    def has_coefficient(self, line: JudgedLine) -> bool:
+        """Whether a coefficient of restitution stands in a line, by its letter or its value."""
+        given = {Letter("e")} | {
+            step.e for step in self._base.events if isinstance(step, Impact) and step.e is not None
+        }
+        numbers = {float(self._base.scalar(tree).flat[0]) for tree in given if is_bare(tree)}
+        squares = {number**2 for number in numbers}
+        return any(
+            node in given or (is_bare(node) and self._is_one_of(node, numbers | squares))
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in walk(side)
+        )
+
+    def tells_coefficient(self, line: JudgedLine) -> bool:
+        """Whether a line is Newton's law in numbers, with an e to be found: ``8 = 8e``."""
+        return any(
+            claim.sign == "=" and is_bare(one) and _is_multiple_of_coefficient(other, self.unknown)
+            for chain in chains(line)
+            for claim in chain
+            for one, other in ((claim.left, claim.right), (claim.right, claim.left))
         )
 
     def bodies_in(self, line: JudgedLine) -> frozenset[str]:
@@ -229,6 +272,10 @@ class LineContents(Sides):
         lefts = (chain[0].left for chain in chains(line))
         names = (left.name.split() for left in lefts if isinstance(left, Letter))
         return bool(stages) and any(head in map(HEADS.get, words) for words in names)
+
+    def has_inequality(self, line: JudgedLine) -> bool:
+        """Whether a line compares two values that need not be equal."""
+        return any(link.readings[0].sign not in ("=", "!=") for link in line.line.links)
 
     def is_separation(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives the difference of two velocities after an impact a value."""

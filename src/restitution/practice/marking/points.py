@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.grounds import LAWS, OF_ANGLES, has_name
+from restitution.practice.marking.grounds import LAWS, OF_ANGLES, has_name, is_inequality
 from restitution.practice.marking.lines import (
     as_true,
     before_mistake,
@@ -266,6 +266,9 @@ class _Examiner(SinglePoints):
                     (state.point.letter, state.point.principle) == ("M", "place")
                     and name in point.depends
                     and point.item is not None
+                )
+                is_step = is_step and not (
+                    is_inequality(state.point) and not self.values.has_inequality(line)
                 )
                 is_step = is_step and not self._is_at_old_angle(state.point, line)
                 is_step = is_step and not self._has_no_components(state.point, line)

@@ -99,8 +99,13 @@ class PrincipleLines(Grounds):
             if use.principle not in names:
                 continue
             bare = place and use not in line.stated
-            if bare and use.altered is None and use.principle in LAWS and not implied:
+            known = use.altered is None and use.principle in LAWS
+            own = line.verdict == "follows" and not self.values.is_at_a_wall(point)
+            own = own and self.values.tells_coefficient(line)
+            if bare and known and not (implied or own):
                 continue  # a bare value states no law
+            if known and line.verdict == "false" and is_plain(line):
+                continue  # nor does a wrong one
             if place and line.uses[0].principle == "fact" and not self.values.has_coefficient(line):
                 continue  # a fact of the question needs no law
             if point.principle == "fact" and not self.values.speaks_of(point, use.principle):

@@ -238,13 +238,24 @@ class SinglePoints(PrincipleLines):
         if point.principle == "inequality":
             return self._conclusion(point)
         if point.principle == "condition":
-            return self._inequality()
+            return self._inequality(point)
         shown = any(point.shown and point.principle == "inequality" for point in self.scheme.points)
-        return self._inequality() if shown and point.principle == "solve" else None
+        return self._inequality(point) if shown and point.principle == "solve" else None
 
-    def _inequality(self) -> JudgedLine | None:
-        """A sound line that compares two values; of a false one what stands before its mistake."""
+    def _inequality(self, point: MarkPoint) -> JudgedLine | None:
+        """A sound line that compares two values; of a false one what stands before its mistake.
+
+        Where there are several conditions, one that is another one is none of a point.
+        """
+        others = [
+            other
+            for other in self.scheme.points
+            if other is not point and other.principle == "condition" and is_inequality(other)
+        ]
         for line in self.lines:
+            stated = any(self.values.states(other, line) for other in others)
+            if stated and not self.values.states(point, line):
+                continue
             end = line.link or 0 if line.verdict == "false" else len(line.line.links)
             signs = {link.readings[0].sign for link in line.line.links[:end]}
             if self._is_turned(line) or self.values.restates_a_fact(line):
@@ -455,9 +466,9 @@ class SinglePoints(PrincipleLines):
             used = used or self._unchanged_instead(point) or self._in_wrong_law(point)
             last = None if used is None else self._earned(point, used, "used here")
         if last is None:
-            used = next(
-                (line for line in self.lines if self.values.points_along(point, line)), None
-            )
+            wrong = any(x.verdict == "false" and self.values.is_of_direction(x) for x in self.lines)
+            along = (x for x in self.lines if not wrong and self.values.points_along(point, x))
+            used = next(along, None)
             last = None if used is None else self._earned(point, used, "used here")
         if last is None:
             seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)

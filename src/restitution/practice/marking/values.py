@@ -46,7 +46,7 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given, Impact
+from restitution.problem import Compare, Given
 from restitution.records import dataclass
 from restitution.vector import Vector
 
@@ -459,32 +459,6 @@ class Values(Directions):
                             if any(are_close(tangent * np.abs(a), np.abs(b)) for a, b in pairs):
                                 return True
         return False
-
-    def has_rebound(self, line: JudgedLine) -> bool:
-        """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
-        meanings = self._meanings(line)
-        meant = (meanings.get(getattr(tree, "name", ""), tree) for tree in self.unknowns(line))
-        impulses = all(tree == Letter("e") or is_quantity(tree, "impulse") for tree in meant)
-        return impulses and any(
-            node == Letter("e")
-            for link in line.line.links
-            for side in (link.readings[0].left, link.readings[0].right)
-            for node in walk(side)
-        )
-
-    def has_coefficient(self, line: JudgedLine) -> bool:
-        """Whether a coefficient of restitution stands in a line, by its letter or its value."""
-        given = {Letter("e")} | {
-            step.e for step in self._base.events if isinstance(step, Impact) and step.e is not None
-        }
-        numbers = {float(self._base.scalar(tree).flat[0]) for tree in given if is_bare(tree)}
-        squares = {number**2 for number in numbers}
-        return any(
-            node in given or (is_bare(node) and self._is_one_of(node, numbers | squares))
-            for link in line.line.links
-            for side in (link.readings[0].left, link.readings[0].right)
-            for node in walk(side)
-        )
 
     def speaks_of(self, point: MarkPoint, principle: str) -> bool:
         """Whether a fact may be stated by a line of a principle: one of energy speaks of energies.

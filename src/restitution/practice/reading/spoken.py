@@ -90,7 +90,7 @@ _SHARE = r"\d[\d./]*(?:[A-Za-z]{1,2}(?:\^?2|²)?)*"
 _OUT_OF = re.compile(rf"({_SHARE})\s+out\s+of\s+(?:the\s+)?({_SHARE})(?![A-Za-z])", re.IGNORECASE)
 _MAKES_AN_ANGLE = re.compile(
     r"(?:\bthe\s+)?\b(wall|line\s+of\s+centres|LOC|[A-Z]\w*)\s+(?:makes|is\s+at|lies\s+at|is)\s+"
-    r"(?:an?\s+)?angle\s+(?:of\s+)?([^,;=]*\d[^,;]*?|\w+)\s+(?:with|to)\s+(?:the\s+)?"
+    r"(?:(?:an?\s+)?angle\s+(?:of\s+)?|(?<=makes\s)(?=\d))([^,;=]*\d[^,;]*?|\w+)\s+(?:with|to)\s+(?:the\s+)?"
     r"(i|j|horizontal|vertical|[xy][-\s]axis|wall|line\s+of\s+centres|[A-Z]\w*)(?![\w(])"
 )
 _ANGLE_OF_A_VELOCITY = re.compile(
@@ -140,6 +140,11 @@ _REBOUNDS = re.compile(
     r"|returns?)"
     r"(?:\s+(?:off|from)\s+(?:the\s+)?(?:wall|cushion|[A-Z]\w*))?\s+(?:with|at)\s+"
     r"(?:an?\s+|the\s+)?(?:speed\s+(?:of\s+)?)?(?=[\du(½⅓¼⅔¾√])(?![^,;=]*(?:°|deg|[αβθφ]))",
+)
+# The other end of a range: ``f > 1/3 up to 1``.
+_UP_TO = re.compile(
+    r"(?<![\w])([a-zA-Zα-ω])\s*(>=?|≥)\s*([\d./√]+)\s*,?\s*(?:and\s+|but\s+)?"
+    r"(?:up\s+to|at\s+most|(?:no|not)\s+more\s+than)\s+([\d./√]+)(?=[\s.)]*$)"
 )
 _COORDINATE = re.compile(r"\b([xy])[\s-]*co-?ord(?:inate)?\b(?!s)", re.IGNORECASE)
 _SQUARE_ROOT = re.compile(r"\bsq(?:uare)?\.?\s?(?:root|rt)\s*(?:of\s+)?(?=[\d(a-z])", re.IGNORECASE)
@@ -376,6 +381,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (mass_centres.OF_ONE, mass_centres.of_one),
     (mass_centres.OF_CENTRE, mass_centres.of_centre),
     (walls_in_words.LIES_ALONG, walls_in_words.lies_along),
+    (walls_in_words.NORMAL, walls_in_words.normal),
+    (walls_in_words.GRADIENT, walls_in_words.gradient),
     (walls_in_words.TO_A_WALL, walls_in_words.to_a_wall),
     (walls_in_words.HITS_AT, walls_in_words.hits_at),
     (walls_in_words.SQUARED_THEN, lambda match, _: f"{match[1]} ^2"),
@@ -401,6 +408,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_FIRST_AND_LAST, lambda _, __: "initial and final "),
     (_BETWEEN_U_AND_V, _of_both),
     (_SQUARE_ROOT, lambda _, __: "root "),
+    (_UP_TO, lambda match, _: f"{match[4]} >= {match[1]} {match[2]} {match[3]}"),
     (_COORDINATE, lambda match, _: f"{'ij'['xy'.index(match[1].lower())]} component of position"),
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),

@@ -35,17 +35,45 @@ HITS_AT = re.compile(
 # How a wall lies, by a vector: ``so the wall is parallel to 2i + j``.
 _PART = r"[-+−]?\s*[\d./√½⅓⅔¼¾]*\s*"
 LIES_ALONG = re.compile(
-    r"^(\s*(?:so|hence|then|therefore)?\s*)(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s*"
+    r"^(\s*(?:so|hence|then|therefore)?\s*)(?:(?:the\s+)?direction\s+of\s+)?(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s*"
     r"(?:=|:|is|runs|lies|goes)?\s*(?:along|parallel\s+to|in\s+the\s+direction(?:\s+of)?)?\s*:?\s*"
     rf"(?=[(<]?\s*{_PART}i\s*[-+−]{_PART}j\b|[(<]\s*-?\d+\s*,\s*-?\d+\s*[)>]\s*$)"
 )
+
+# What is at right angles to it: ``normal is 2i - j``.
+NORMAL = re.compile(
+    r"^(\s*(?:so|hence|then|therefore)?\s*)(?:the\s+)?(?:unit\s+)?(?:direction\s+of\s+(?:the\s+)?)?"
+    r"normal(?:\s+(?:vector|direction))?(?:\s+to\s+(?:the\s+)?(?:wall|cushion|barrier|[A-Z]\w{0,2}))?\s*"
+    r"(?:=|:|is|runs|lies)?\s*(?:along|parallel\s+to|in\s+the\s+direction(?:\s+of)?)?\s*:?\s*"
+    rf"(?=\(?\s*{_PART}i\s*[-+−]{_PART}j\b)"
+)
+GRADIENT = re.compile(
+    r"\b(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s+has\s+(?:a\s+)?(?:gradient|slope)\s+(?:of\s+)?"
+)
+
+_SAID = re.compile(r"=|\b(?:is|runs|lies|goes|along|parallel|direction)\b")
 
 
 def lies_along(match: re.Match[str], problem: Problem) -> str:
     """The direction of a wall as a label, where the words say it of one."""
     names = {wall.name for wall in problem.walls}
     known = match[2] in names or (len(names) == 1 and match[2] in ("wall", "cushion", "barrier"))
-    return f"{match[1]}wall: " if known and len(names) == 1 else match[0]
+    if not known or len(names) > 1:
+        return match[0]
+    # A label alone, wall: i + j, may be of another vector.
+    return f"{match[1]}parallel to wall: " if _SAID.search(match[0]) else f"{match[1]}wall: "
+
+
+def normal(match: re.Match[str], problem: Problem) -> str:
+    """The direction across the only wall as a label."""
+    return f"{match[1]}perpendicular to wall: " if len(problem.walls) == 1 else match[0]
+
+
+def gradient(match: re.Match[str], problem: Problem) -> str:
+    """The gradient of a wall as a label."""
+    names = {wall.name for wall in problem.walls}
+    known = match[1] in names or (len(names) == 1 and match[1] in ("wall", "cushion", "barrier"))
+    return f"gradient of {match[1]} = " if known else match[0]
 
 
 def hits_at(match: re.Match[str], problem: Problem) -> str:
