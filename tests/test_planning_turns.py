@@ -509,3 +509,22 @@ def test_spheres_that_approach_against_a_line_as_it_stands_do_so_in_the_facts() 
     (fact,) = (own for own in facts_of(problem) if own.id == "approach 1")
     assert isinstance(fact.relation, Relation)
     assert fact.relation.only[0].sign == "<"
+
+
+@pytest.mark.parametrize(
+    ("given", "lines"),
+    [
+        ("3 angle(velocity(P), W)", ("deflection of P is 3β", "60° + β = 3β", "β = 30°")),
+        ("2 angle(velocity(P), W) + 25°", ("60° + β = 2β + 25°", "tan 35° = ")),
+    ],
+)
+def test_a_deflection_by_the_angle_after_is_one_of_degrees_with_that_before(
+    given: str, lines: tuple[str, ...]
+) -> None:
+    problem, derivation = planned(
+        "wall W: along 30°\nsphere P: mass 0.5, velocity 4 at 60° to W\nP hits W\n"
+        f"given deflection(P) = {given}\nfind e"
+    )
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert not [line for line in lines if line not in text], text
+    assert not follow(derivation, oracle_of(problem))

@@ -309,7 +309,7 @@ find maximum of tan(alpha - beta) over alpha
 """,
         (
             "Let S = 4/tan α + tan α.",
-            "greatest value of tan(α − β) = ¾, when tan α = 2, so α ≈ 63.4°",
+            "when 2 − tan α = 0, so tan α = 2 and α ≈ 63.4°",
         ),
         ("not written out",),
     ),

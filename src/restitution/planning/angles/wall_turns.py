@@ -193,8 +193,8 @@ def _mentions(tree: Expression) -> int:
 def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     """A deflection at a wall, α + β, that is given by these angles: as 2β, or as 2β + 30°.
 
-    So one of the two is the other, or differs from it by a number. The last line is that of their
-    tangents. None where the fact is no such one.
+    So one of the two is the other, or differs from it by a number; where α is a number of degrees
+    so is β. The last line is that of their tangents. None where the fact is no such one.
     """
     match equation.link.left:
         case Quantity("deflection", (Name(body),), int(event)) if event in scene.model.frames:
@@ -206,6 +206,8 @@ def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
         return None
     angle = angle_of_approach(scene, body, frame)
     after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(frame.wall)))
+    if isinstance(angle, Degrees):
+        return _related_to_degrees(scene, equation, angle, after)
     if not isinstance(angle, Letter):
         return None
     more = _excess(scene, equation.link.right, angle, after)
@@ -232,6 +234,47 @@ def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     if number is None:
         scene.desk.back(mark)
     return number
+
+
+def _related_to_degrees(
+    scene: Scene, equation: GivenEquation, angle: Degrees, after: Quantity
+) -> int | None:
+    """The same where the angle before is a number of degrees: 30° + β = 2β, so β = 30°."""
+    match equation.link.left, after.arguments:
+        case Quantity("deflection", (Name(body),), int(event)), (_, Name()):
+            pass
+        case _:
+            return None
+    later = sp.Symbol("later")
+    tree = exchanged(equation.link.right, {after: Letter(later.name)})
+    if has_quantity(tree) or letters(tree) != {later.name}:
+        return None
+    rest = expanded(scene.worth(tree, {later.name: later}) - later - scene.scalar(angle))
+    slope = rest.coeff(later)
+    if not slope.is_number or slope == 0 or expanded(rest - slope * later).free_symbols:
+        return None
+    worth = tree_of(tidy(later - rest / slope), angle=True)
+    if not isinstance(worth, Degrees):
+        return None
+    mark, frame = scene.desk.mark(), scene.frame(event)
+    own = formula(scene, after)
+    letter, meaning = letter_of(scene, after)
+    total = chain(
+        Binary("+", angle, Letter(letter)),
+        (exchanged(equation.link.right, {after: Letter(letter)}), None),
+    )
+    data = data_of_approach(scene, body, frame)
+    move, pool = Move("define", "sum", event, (body,)), together(equation.refs, data, (meaning,))
+    line = scene.judge.write((move,), pool, total)
+    known = chain(Letter(letter), (worth, None))
+    value = line and scene.judge.write((Move("rearrange"),), (line,), known)
+    if value:
+        relation = chain(Apply("tan", worth), (swept(own.right), None))
+        refs = scene.judge.enough(own.move, (value, meaning, *own.refs), relation, data)
+        if refs is not None:
+            return scene.desk.write(own.move, refs, relation)
+    scene.desk.back(mark)
+    return None
 
 
 def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> sp.Expr | None:

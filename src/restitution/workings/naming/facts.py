@@ -96,11 +96,15 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
                 if (when := _when_the_same(naming, link.left, whole)) is not None:
                     return say("derived.share-of-that", quantity=left, share=share, when=when)
                 return say("derived.share", quantity=left, share=share, value=naming.side(whole))
-            case Binary("*", Letter() | Number() as size, Quantity() as whole):
+            case Binary("*", Letter() | Number() as size, Quantity() as whole) if isinstance(
+                multiple := naming.side(whole), lay.Words | lay.Phrase
+            ):
                 share = naming.as_typed(size)
                 if (when := _when_the_same(naming, link.left, whole)) is not None:
                     return say("derived.times-that", quantity=left, share=share, when=when)
-                return say("derived.times", quantity=left, share=share, value=naming.side(whole))
+                if size == _TWO:
+                    return say("derived.twice", quantity=left, value=multiple)
+                return say("derived.times", quantity=left, share=share, value=multiple)
         return say("derived.is", quantity=left, value=_measured(naming, link, right))
     if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
         bound: Sentence | lay.Layout | str = _measured(naming, link, right)
@@ -163,6 +167,7 @@ def _is_rest(tree: Expression) -> bool:
 
 
 # What is said of the ratio of an angle without a letter.
+_TWO = Number(Fraction(2))
 _RATIOS: Mapping[str, str] = {
     "sin": "derived.sine-is",
     "cos": "derived.cosine-is",

@@ -122,6 +122,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.same": "the {quantity} is equal to the {value}",
     "derived.share": "the {quantity} is {share} of the {value}",
     "derived.times": "the {quantity} is {share} times the {value}",
+    "derived.twice": "the {quantity} is twice the {value}",
     "derived.times-that": "the {quantity} is {share} times that {when}",
     "derived.share-of-that": "the {quantity} is {share} of that {when}",
     "derived.the": "the {quantity}",
