@@ -528,3 +528,14 @@ def test_a_deflection_by_the_angle_after_is_one_of_degrees_with_that_before(
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert not [line for line in lines if line not in text], text
     assert not follow(derivation, oracle_of(problem))
+
+
+def test_a_ball_that_turns_through_its_angle_to_the_wall_leaves_along_it() -> None:
+    """Its component away from the wall is nothing, in neither sense."""
+    statement = (
+        "wall W: along j\nsphere P: mass 2, velocity 6 at 60° to W\nP hits W\n"
+        "given deflection(P) = 60°\nfind e"
+    )
+    said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
+    assert "tan 0° = 3√3 e/3 DM1 e = 0" in said
+    assert "follow" not in said

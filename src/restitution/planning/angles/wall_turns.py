@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.angles.quantities import formula
@@ -163,9 +164,12 @@ def given_at_a_wall(
         premises = scene.judge.enough(move, cited, relation)
         if premises is not None:
             line = scene.desk.write(move, premises, relation)
-            relation = chain(Apply("tan", final), (swept(own.right), None))
+            quotient = unsigned(swept(own.right)) if rest == 0 else swept(own.right)
+            relation = chain(Apply("tan", final), (quotient, None))
             known = (*data, *background(scene, letters(angle)))
             refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation, known)
+            if refs is not None and rest == 0:
+                refs = scene.judge.needed(own.move, refs, relation)  # no component away from it
             if refs is not None:
                 return scene.desk.write(own.move, refs, relation)
         scene.desk.back(mark)
