@@ -13,8 +13,10 @@ from laws_of_workings import answers, complaints, false_lines, storing
 from numbers_of_workings import BeyondError, worlds
 from planned import LIST, listed, planned, statements
 
+from restitution.errors import StatementError
 from restitution.explaining.lines.derivation import Derivation
 from restitution.planning.routes import choice
+from restitution.planning.writing.desk import UNPLANNED
 from restitution.solving import Solution
 
 STATEMENTS = statements()
@@ -132,3 +134,8 @@ def test_the_cheapest_way_is_taken(name: str, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(choice.Routes, "cheapest", watched)
     assert planned(STATEMENTS[name]) is not None
     assert all(each == sorted(each) for each in costs), costs
+
+
+def test_what_has_no_value_has_no_plan() -> None:
+    """A divisor that comes to zero in a line broke off the whole working."""
+    assert issubclass(StatementError, UNPLANNED)

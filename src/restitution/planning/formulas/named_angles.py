@@ -36,7 +36,7 @@ from restitution.planning.writing.scene import Scene
 _PLACES = 4
 
 ANGLES = {
-    "deflection": ("delta", "phi", "psi"),
+    "deflection": ("delta", "phi", "psi", "gamma"),
     "angle": ("beta", "theta", "phi", "psi", "gamma"),
     "direction": ("theta", "phi", "beta", "psi", "gamma"),
 }

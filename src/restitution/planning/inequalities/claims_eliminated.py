@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    has_quantity,
     is_function,
     is_zero,
     letters,
@@ -335,6 +336,8 @@ class Eliminated(InStages):
 
     def _by_its_tangent_from(self, line: int, link: Link) -> int | None:
         """A bound of an angle of which a line gives the tangent or its square, by that of these."""
+        if has_quantity(link.right):
+            return None
         tangent = Apply("tan", link.left)
         left = self.scene.desk.last_link(line).left
         bound = tangent_of(self.worths.value(link.right))

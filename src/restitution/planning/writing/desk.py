@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.errors import UnsupportedError
+from restitution.errors import StatementError, UnsupportedError
 from restitution.exact.symbols import symbols_in
 from restitution.explaining.following.trials import names_in
 from restitution.explaining.lines.derivation import (
@@ -60,8 +60,9 @@ class NotPlannedError(Exception):
     """A question, or a shape of equation, for which there is no plan."""
 
 
-UNPLANNED = (NotPlannedError, UnwrittenError, UnsupportedError)
-"""What has no plan, what no line says, and what the story does not tell exactly."""
+UNPLANNED = (NotPlannedError, UnwrittenError, UnsupportedError, StatementError)
+"""What has no plan, what no line says, what the story does not tell exactly, and what no value has:
+a quotient in the lines of which the divisor comes to zero."""
 
 Scope = frozenset[str | None] | None
 """The parts in which something holds; None where it holds in all."""
