@@ -659,3 +659,86 @@ def test_a_completed_square_tells_a_sign_by_itself() -> None:
     )
     assert "(3(e − ⅓)² + 8/3)/8" in own and "as (e − ⅓)² ≥ 0" in own
     assert "discriminant" not in own
+
+
+# --- one line instead of several ----------------------------------------------------------------
+
+
+def test_a_square_with_one_side_out_of_range_is_solved_by_its_root() -> None:
+    own = rows(
+        TWO.format(a="m", u="u at 60°", b="m", v="at rest", e="")
+        + "given speed(A) > 9/10 u\nfind range of e"
+    )
+    place = own.index("(e − 1)² > 24/25")
+    assert own[place + 1 : place + 3] == ["1 − e > 2√6/5, as e ≤ 1", "e < (5 − 2√6)/5"]
+    assert "25e² − 50e + 1 > 0" not in own
+
+
+@pytest.mark.parametrize(
+    ("shown", "given", "said"),
+    [
+        (
+            "tan(angle(velocity(A), line_of_centres)) = (1 + k) tan(alpha)/(1 - k e)",
+            "angle(velocity(A), line_of_centres) = 60°",
+            "√3 = √3(1 + k)/(3(1 − ke))",
+        ),
+        (
+            "speed(B) = (1 + e) u cos(alpha)/(1 + k)",
+            "speed(B) = 1/4 u",
+            "¼u = √3(1 + e)u/(2(1 + k))",
+        ),
+        (
+            "energy_lost = k m (1 - e^2) u^2 cos(alpha)^2/(2(1 + k))",
+            "energy_lost = 1/12 m u^2",
+            "(1/12)mu² = 3kmu²(1 − e²)/(8(1 + k))",
+        ),
+    ],
+)
+def test_what_was_shown_ties_the_letters_of_a_range(shown: str, given: str, said: str) -> None:
+    own = rows(
+        TWO.format(a="m", u="u at alpha", b="k m", v="at rest", e="")
+        + f"given k e < 1\npart a\nshow {shown}\npart b\ngiven alpha = 30°, {given}\n"
+        "find range of k"
+    )
+    rest = own[own.index("(b)") :]
+    assert said in rest
+    assert not any(row.startswith(("v =", "w =")) for row in rest)
+
+
+def test_a_given_direction_is_an_angle_to_a_line_of_centres_that_slants() -> None:
+    own = rows(
+        "sphere P: mass 2, velocity 6i\nsphere Q: mass 3, at rest\nP hits Q: along -30°\n"
+        "given direction(P) = 45°\nfind e"
+    )
+    assert "tan 75° = 3/v" in own
+    said = "It is given that the angle from 𝐢 to 𝐯_P is 45°, so 𝐯_P makes 45° + 30° = 75° with the"
+    assert said in " ".join(own)
+    back = rows(
+        "sphere P: mass m, velocity 2u i\nsphere Q: mass 2m, at rest\nP hits Q: along 30°\n"
+        "given direction(P) = -75°\nfind e"
+    )
+    assert "180° − (30° + 75°) = 75° with the line of centres:" in back
+    assert back[back.index("tan 75° = −u/v") + 1] == "v = −u/tan 75°"
+
+
+def test_a_way_is_by_the_tangent_that_is_given_of_its_angle() -> None:
+    own = rows(
+        "wall S: along i, through (0, 3)\nsphere P: at (0, 0), velocity u at alpha\n"
+        "given tan(alpha) = 3/5\nP hits S\nfind position(P, 1)"
+    )
+    assert "x-coordinate of P at the impact = 3/tan α" in own
+    assert not any("√34" in row for row in own)
+
+
+def test_a_given_deflection_goes_into_the_sum_that_an_earlier_part_has() -> None:
+    own = rows(
+        "wall W: along i\nsphere P: mass m, velocity u at 35° to W\nP hits W\n"
+        "part a\nfind deflection(P)\npart b\ngiven deflection(P) = 55°\nfind e"
+    )
+    place = own.index("35° + β = 55°")
+    assert own[place + 1 :] == [
+        "β = 20°",
+        "Substituting in (1):",
+        "tan 20° = e tan 35°",
+        "e = (tan 20°)/tan 35° ≈ 0.520",
+    ]

@@ -24,6 +24,7 @@ from restitution.planning.writing.conjugates import with_conjugates
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
+from restitution.planning.writing.direct_slopes import with_direct_slopes
 from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.facts_once import with_distances_once, with_facts_once
 from restitution.planning.writing.gathering import (
@@ -62,7 +63,8 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
     oracle = Oracle(roles(problem))
     whole = without_idle(whole)
     for shortened in (
-        *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
+        *(with_direct_slopes, with_direct_tangents, with_direct_ratios),
+        *(with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
         *(
             with_ratios_put_in,

@@ -18,7 +18,7 @@ from restitution.explaining.definitions.journeys import beside, chords, moving_o
 from restitution.explaining.definitions.next_walls import next_walls
 from restitution.explaining.definitions.ties import between_directions, tied
 from restitution.explaining.definitions.turnings import between_given_directions, turnings
-from restitution.explaining.definitions.wall_angles import by_angles, to_walls
+from restitution.explaining.definitions.wall_angles import by_angles, to_slanted_centres, to_walls
 from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.steps.step import Step
 
@@ -38,6 +38,7 @@ def angles_made_of_others(step: Step, event: Event | None) -> Iterable[Link]:
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "difference": angles_made_of_others,
     "tan": to_walls,
+    "tan-direction": to_slanted_centres,
     "speed": by_angles,
     "total": total,
     "total-lost": total_lost,

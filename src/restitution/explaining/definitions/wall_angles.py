@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from restitution.explaining.data.paths_and_lines import in_degrees
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.lines.quotients import NotComparableError, Plane
@@ -16,6 +17,7 @@ from restitution.expression.tree import (
     COMPONENTS,
     Apply,
     Binary,
+    Degrees,
     Expression,
     Name,
     Negate,
@@ -110,6 +112,35 @@ def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:
                 yield Link(angle, "=", Binary("/", above, size))
 
 
+def to_slanted_centres(step: Step, event: Event | None) -> Iterator[Link]:
+    """The tangent of the angle of a path to a line of centres, both told in degrees from **i**.
+
+    A path at 30° makes 75° with a line at −45°, which is the tangent of its components there.
+    """
+    if event is None or event.wall:
+        return
+    axis = Quantity("line_of_centres", (), event.number)
+    turns = [in_degrees(e.right) for e in step.links if e.left == axis and e.sign != "!="]
+    for link in step.links:
+        match link:
+            case Link(Quantity("direction", (Name(body),), int(stage)), "=", right) if (
+                stage == event.number and body in step.move.bodies
+            ):
+                path = in_degrees(right)
+            case _:
+                continue
+        velocity = Quantity("velocity", (Name(body),), stage)
+        along, across = (Quantity(kind, (velocity, axis)) for kind in COMPONENTS)
+        for turn in turns:
+            size = None if turn is None or path is None else (path - turn) % 180
+            if size is None or size % 90 == 0:
+                continue
+            acute = size < 90
+            angle = Degrees(size if acute else 180 - size)
+            above = across if acute else Negate(across)
+            yield Link(Apply("tan", angle), "=", Binary("/", above, along))
+
+
 def by_angles(step: Step, event: Event | None) -> Iterator[Link]:
     """A component as the speed times the cosine, or the sine, of the angle to a line.
 
@@ -168,4 +199,4 @@ def _sign(step: Step, component: Quantity) -> int | None:
     return 0 if own.vanishes else oriented(step, own)
 
 
-__all__ = ["by_angles", "to_walls"]
+__all__ = ["by_angles", "to_slanted_centres", "to_walls"]

@@ -267,6 +267,7 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
             inner = difference(letter, tree_of(-shift))
         link = Link(square(inner), own, tree_of(gap))
     relation, solved = Relation(((link,),)), line
+    start = worths.mark()
     if worths.scene.desk.relation(line) != relation:
         solved = worths.judge.write(_SOLVING[:2], [line], relation) or 0
     if not solved:
@@ -284,7 +285,34 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
             if after is not None and (len(chain) == 1 or _may_be_low(worths, symbol, low)):
                 return after
             worths.back(mark)
+    if own[0] == ">" and link.right != ZERO:
+        below = _below(worths, solved, (letter, tree_of(-b / (2 * a)), own, gap), known)
+        if below is None:
+            worths.back(start)  # on both sides the roots tell as much without the square
+        return below or line
     return solved
+
+
+def _below(
+    worths: Worths,
+    line: int,
+    square_: tuple[Expression, Expression, Sign, sp.Expr],
+    known: Sequence[Ref],
+) -> int | None:
+    """``1 − e > 2√6/5`` of ``(e − 1)² > 24/25``, and what e is less than by that.
+
+    None where the letter may be beyond the greater root too.
+    """
+    letter, middle, sign, gap = square_
+    mark = worths.mark()
+    size = Link(difference(middle, letter), sign, tree_of(tidy(sp.sqrt(gap))))
+    first = worths.judge.write((Move("compare"),), [line, *known], Relation(((size,),)))
+    low = Link(letter, FLIPPED[sign], tree_of(tidy(worths.value(middle) - sp.sqrt(gap))))
+    last = first and worths.judge.write((Move("rearrange"),), [first], Relation(((low,),)))
+    if not last:
+        worths.back(mark)
+        return None
+    return last
 
 
 def solve_in_squares(

@@ -11,7 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Binary, Expression, Letter, walk
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
+from restitution.planning.writing.forms import ZERO, outer_terms, product, square, total, tree_of
 from restitution.planning.writing.polynomials import (
     cancelled,
     expanded,
@@ -202,6 +202,9 @@ def as_quadratic(
         return line
     turned = poly.LC().could_extract_minus_sign()
     link = Link(sides[0], FLIPPED[sign] if turned else sign, sides[1])
+    alike = (stated.sign, stated.right) == (link.sign, link.right) == (sign, ZERO)
+    if alike and set(outer_terms(stated.left)) == set(outer_terms(link.left)):
+        return line  # only the order of its terms is another
     relation = Relation(((link,),))
     above = worths.judge.standing(relation)
     if above is not None and above < line:

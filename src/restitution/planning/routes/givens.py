@@ -39,6 +39,7 @@ from restitution.planning.angles.lines_between import (
     is_moving,
     sine_of_the_offset,
 )
+from restitution.planning.angles.paths_to_centres import write_to_centres
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.related_tangents import write_by_tangent, write_tangents
 from restitution.planning.angles.wall_turns import given_tangent_at_a_wall, related_at_a_wall
@@ -194,6 +195,10 @@ def _of_one_quantity(scene: Scene, given: GivenEquation, own: Quantity) -> int |
             return line
     if own.kind == "velocity":
         return write_component_given(scene, given)
+    if own.kind == "direction" and in_letters:
+        line = write_to_centres(scene, given, own)
+        if line is not None:
+            return line
     if own.kind in COMPONENTS and in_letters:
         if any(is_quantity(e, "position") for e in walk(own)):
             return write_given_place(scene, given)

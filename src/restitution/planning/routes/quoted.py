@@ -6,7 +6,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation, numbers_in
+from restitution.explaining.lines.derivation import (
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
@@ -38,7 +46,52 @@ def quoted(scene: Scene, equation: GivenEquation, quantity: Quantity) -> int | N
     turned = quantity.kind in UNSIGNED_ANGLES
     if quantity.kind not in QUOTED and not turned:
         return None
+    if turned and (line := _by_a_sum(scene, equation, quantity)) is not None:
+        return line
     return quoted_as(scene, equation, Apply("tan", quantity) if turned else quantity)
+
+
+def _by_a_sum(scene: Scene, equation: GivenEquation, quantity: Quantity) -> int | None:
+    """An angle that is given, put into a line that has it as a sum: 45° + θ = 75°.
+
+    So θ is 30°, and that goes into the line of its tangent in letters, tan θ = e.
+    """
+    for line in reversed(scene.desk.lines):
+        match line.relation, equation.link.right:
+            case (
+                Relation(((Link(left, "=", sum_), *_),)),
+                Degrees() as given,
+            ) if left == quantity and scene.desk.holds(line.number):
+                pass
+            case _:
+                continue
+        match sum_:
+            case Binary("+", Degrees() as first, Letter(name) as angle):
+                size = given.value - first.value
+            case Binary("-", Letter(name) as angle, Degrees() as first):
+                size = given.value + first.value
+            case _:
+                return None
+        meant = tuple(scene.desk.introducing({name}))
+        tangent = _standing_tangent(scene, Apply("tan", angle))
+        if tangent is None or not 0 < size < 90:
+            return None
+        right = scene.desk.last_link(tangent).right
+        mark = scene.desk.mark()
+        steps: list[tuple[MoveId, tuple[Ref, ...], Relation]] = [
+            ("put", (line.number, equation.fact.id, *meant), chain(sum_, (given, None))),
+            ("rearrange", (), chain(angle, (Degrees(size), None))),
+            ("put", (tangent, *meant), chain(Apply("tan", Degrees(size)), (right, None))),
+        ]
+        last: int | None = None
+        for move, refs, relation in steps:
+            above = () if last is None else (last,)
+            last = scene.judge.write((Move(move),), (*refs, *above), relation)
+            if last is None:
+                scene.desk.back(mark)
+                return None
+        return last
+    return None
 
 
 def quoted_ratio(scene: Scene, equation: GivenEquation) -> int | None:
@@ -107,7 +160,9 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
     known = as_shown(scene, subject) or scene.desk.known(subject)
     if known is None and turned and isinstance(subject, Apply):
         return _by_its_tangent(scene, equation, subject.argument)
-    if known is None or not scene.unknown(known.value):
+    if known is None:
+        return None
+    if not scene.unknown(known.value) and not _ties_letters(scene, known):
         return None
     if has_root(known.value):
         plain = _without_its_root(scene, equation, known)
@@ -129,6 +184,15 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
         together(equation.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _ties_letters(scene: Scene, known: Source) -> bool:
+    """Whether a value that was shown is an equation of letters of the data that are left open.
+
+    So it is where a range of one of them is asked.
+    """
+    shown = {end.line for end in scene.desk.ends if end.shown}
+    return set(known.refs) <= shown and bool(scene.put(known.value)[0].free_symbols)
 
 
 def _by_its_square(scene: Scene, equation: GivenEquation, subject: Expression) -> int | None:

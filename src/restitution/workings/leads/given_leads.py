@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from restitution.explaining.data.paths_and_lines import angle_between, turn_of_line
 from restitution.explaining.definitions.ties import past_a_right_angle, tie_of
 from restitution.explaining.lines.derivation import (
     Fact,
@@ -14,6 +15,7 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Ref,
     Relation,
+    equality,
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
@@ -21,6 +23,7 @@ from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -339,12 +342,36 @@ class GivenLeads(Leads):
             return lead
         if record not in ("tan", "tan-direction"):
             return None
+        if record == "tan-direction" and (turned := self._turn_to_centres(line, fact)):
+            velocity = self._naming.layout(
+                Quantity("velocity", (Name(line.move.bodies[0]),), line.move.event)
+            )
+            return (say("given.turned-to-centres", fact=sentence, velocity=velocity, angle=turned),)
         if still := self._standing(line).get("along"):
             return (say("given.fact-across", fact=sentence, body=still),)
         along = record == "tan-direction" or self._moves_along(line)
         if along and self._rested(line, line.move.bodies[0]):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
         return None
+
+    def _turn_to_centres(self, line: Line, fact: Fact) -> lay.Layout | None:
+        """The angle of a path to a line of centres that slants, as it is worked out in degrees.
+
+        ``30° + 45° = 75°`` of a path at 30° and a line at −45°. None where the line is by **i**.
+        """
+        axis = self._derivation.fact(" ".join(("axis", str(line.move.event))))
+        turn = turn_of_line(axis)
+        match line.relation, fact.relation:
+            case (
+                Relation(((Link(Apply("tan", Degrees() as angle), "="), *_),)),
+                Relation(((Link(Quantity("direction"), "=", path),),)),
+            ) if turn is not None:
+                between = angle_between(path, turn)
+            case _:
+                return None
+        if between is None:
+            return self._naming.layout(angle)
+        return self._naming.relation(equality(between, angle))
 
     def _is_of_both_velocities(self, ref: Ref) -> bool:
         """Whether a fact is about two velocities, as those before and after an impact."""

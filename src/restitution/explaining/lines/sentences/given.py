@@ -22,6 +22,9 @@ SENTENCES: Mapping[str, str] = {
     "given.fact-from-rest": (
         "It is given that {fact}. {body} was at rest, so it moves along the line of centres:"
     ),
+    "given.turned-to-centres": (
+        "It is given that {fact}, so {velocity} makes {angle} with the line of centres:"
+    ),
     "given.fact": "It is given that {fact}:",
     "given.fact-along-one": (
         "It is given that {fact}. These positions differ in their {axis}-coordinates alone:"
