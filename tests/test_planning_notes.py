@@ -97,6 +97,22 @@ def test_the_range_of_an_impossible_coefficient_has_its_value() -> None:
     assert told.endswith("No value of e is possible, as shown above.")
 
 
+def test_an_impossible_coefficient_in_letters_is_worked_out_for_its_range() -> None:
+    """That no value is possible stood above the lines that show it, with a mark."""
+    text = (
+        "sphere A: mass m, velocity u at theta\nsphere B: mass m, at rest\n"
+        "given 0 < theta < 90°\nA hits B: along i\n"
+        "given velocity(A) perpendicular to velocity(A, 0)\nfind range of e\nshow e > 0"
+    )
+    solution, derivation = planned(text)
+    assert {note.premises[1:] for note in derivation.notes} == {("e <= 1", "acute: theta")}
+    assert printed(solution).endswith(
+        "(i) e = 1 + 2 tan²θ e = 1 + 2 tan²θ > 1 is impossible, as a coefficient of restitution is "
+        "at most 1. So no value of e is possible: what is given cannot occur. A1 (ii) That e > 0 "
+        "cannot be shown either, as there is no such impact."
+    )
+
+
 def test_a_negative_coefficient() -> None:
     text = SPHERES.format(u=6, v=0, e="") + "given velocity(A) = 5i + 3j\nfind e"
     solution, derivation = planned(text)

@@ -266,7 +266,7 @@ class Notes:
             if isinstance(subject, Letter):
                 return self._out_of_range(subject, bounds, note.part)
             return self._without_a_root(relation, bounds)
-        (bound,) = bounds
+        bound = bounds[0]
         left, right = _bounded(relation, self._bounds_of(bound))
         over = "<=" in str(bound)
         links = [self._figures(Link(left, "=", right))]
@@ -282,7 +282,8 @@ class Notes:
             item = self._ends.item(note.item)
             if isinstance(item, Range) and item.expression == left:
                 return say("note.none-of-it", letter=self._naming.layout(left))
-            return say("note.none-either", items=items)
+            shown = isinstance(item, Show)
+            return say("note.none-shown-either" if shown else "note.none-either", items=items)
         if isinstance(value, int):
             name = "note.none-above-one" if over else "note.none-below-zero"
             return say(name, items=items, value=equation)
@@ -295,7 +296,7 @@ class Notes:
             return
         if self._is_out_of_range(note) or not (self._ends_in(note) and self._goes_on(note)):
             return
-        value, bound = note.premises
+        value, bound, *_ = note.premises
         left, _ = _bounded(self._relation(value), self._bounds_of(bound))
         if self._rests(note):
             yield say("note.rests-on")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -17,10 +18,11 @@ from restitution.errors import (
     UnsupportedError,
 )
 from restitution.explaining.lines.derivation import NoteKind, Ref, numbers_in
-from restitution.expression.tree import Letter
+from restitution.expression.tree import Letter, letters
 from restitution.oracle import Oracle
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import Desk, NotPlannedError
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Range, Value
 from restitution.solving.equations.coefficients import COEFFICIENTS
@@ -61,16 +63,30 @@ def write_refusal(
     """
     desk = scene.desk
     standing = solver.mark()
-    if isinstance(result.error, ImpossibleError) and not scene.others:
+    empty = isinstance(result.item, Range) and isinstance(result.error, ContradictionError)
+    if (empty or isinstance(result.error, ImpossibleError)) and not scene.others:
         try:
             premises = _impossible(scene, solver, result, write)
         except NotPlannedError:
             premises = None
         if premises is not None:
-            desk.note(name, "impossible", COEFFICIENTS, premises=premises)
+            desk.note(name, "impossible", COEFFICIENTS, premises=_enough(scene, name, premises))
             return
         solver.back(standing)
     note_of(desk, result, name)
+
+
+def _enough(scene: Scene, name: str, premises: tuple[Ref, ...]) -> tuple[Ref, ...]:
+    """A value and the bound that it breaks, with what its letters are where that takes it."""
+    note = replace(scene.desk.new_note(name, "impossible", COEFFICIENTS), premises=premises)
+    if scene.judge.excludes(note):
+        return premises
+    lines = [scene.desk.last_link(ref).right for ref in numbers_in(premises)]
+    for ref in background(scene, {name for tree in lines for name in letters(tree)}):
+        more = replace(note, premises=(*premises, ref))
+        if scene.judge.excludes(more):
+            return more.premises
+    return premises
 
 
 def _impossible(
@@ -78,12 +94,12 @@ def _impossible(
 ) -> tuple[Ref, ...] | None:
     """What says that a coefficient is what none can be; None where that is not the reason."""
     asked = result.item.expression if isinstance(result.item, Range | Value) else None
-    letters = dict(_beyond(scene))
-    if isinstance(asked, Letter) and asked.name in letters:
+    broken = dict(_beyond(scene))
+    if isinstance(asked, Letter) and asked.name in broken:
         write()
         end = scene.desk.ends.pop()
-        return end.line, letters[asked.name]
-    for name, bound in letters.items():
+        return end.line, broken[asked.name]
+    for name, bound in broken.items():
         solver.determine([scene.model.unknowns.letter(name)])
         known = scene.desk.known(Letter(name))
         lines = [] if known is None else numbers_in(known.refs)
