@@ -327,8 +327,8 @@ def test_components_beside_an_offset_have_their_sense_and_their_unit() -> None:
         "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
         "A hits B: offset d, e = 1\ngiven angle(velocity(A), i) = 60°\nfind d, speed(A)"
     )
-    sense = "at 90° anticlockwise from the sense from A to B: component of 𝐮_A along"
-    assert f"those perpendicular to the line of centres {sense}" in working(statement)
+    sense = "are to the left, looking from A to B: component of 𝐮_A along"
+    assert f"Those perpendicular to the line of centres {sense}" in working(statement)
     shown = working(
         "sphere A: mass 2m, velocity 3u i, radius 5\nsphere B: mass m, velocity u i, radius 5\n"
         "A hits B: offset d, e = 1/4\ngiven angle(line_of_centres, i) = arcsin(3/5), d > 0\nfind d"

@@ -23,8 +23,8 @@ SENTENCES: Mapping[str, str] = {
         "of {axis}:"
     ),
     "resolved-spheres.before-left": (
-        "Components before the impact, those perpendicular to the line of centres at 90° "
-        "anticlockwise from the sense from {first} to {second}:"
+        "Components before the impact. Those perpendicular to the line of centres are to the left, "
+        "looking from {first} to {second}:"
     ),
     "resolved-spheres.after-units": "{components:capital} after the impact:",
     "resolved-wall.before": "Components before the impact, towards {wall} and parallel to it:",
@@ -135,10 +135,12 @@ SENTENCES: Mapping[str, str] = {
     ),
     "units.along-wall-above": "Let {along} be that unit vector perpendicular to {wall}.",
     "units.both-circle": (
-        "Let {along} be the unit vector along the radius, towards {wall}, and {across} the one "
-        "along the tangent."
+        "Let {along} be the unit vector along the radius, towards the wall {wall}, and {across} "
+        "the one along the tangent."
     ),
-    "units.along-circle": "Let {along} be the unit vector along the radius, towards {wall}.",
+    "units.along-circle": (
+        "Let {along} be the unit vector along the radius, towards the wall {wall}."
+    ),
     "units.across-circle": "Let {across} be the unit vector along the tangent to {wall}.",
     "units.along-normal": "Let {along} be a unit vector perpendicular to {wall}.",
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
