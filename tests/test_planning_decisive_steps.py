@@ -742,3 +742,13 @@ def test_a_given_deflection_goes_into_the_sum_that_an_earlier_part_has() -> None
         "tan 20° = e tan 35°",
         "e = (tan 20°)/tan 35° ≈ 0.520",
     ]
+
+
+def test_ratios_that_both_sides_have_are_divided_out_before_the_square_stands_alone() -> None:
+    own = rows(
+        "sphere P: mass m, velocity u i\nsphere Q: mass 2m, at rest\nwall W: along j\n"
+        "P hits Q: along theta\nQ hits W: e = e\n"
+        "given velocity(Q) parallel to velocity(P, 1)\nshow cos(theta) = sqrt(6)/(2(1 + e))"
+    )
+    place = own.index("cos²θ = 3/(2(1 + e)²)")
+    assert own[place - 1] == "2(1 + e)e cos²θ = 3 − 2(1 + e) cos²θ"

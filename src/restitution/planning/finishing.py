@@ -26,6 +26,7 @@ from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_slopes import with_direct_slopes
 from restitution.planning.writing.direct_tangents import with_direct_tangents
+from restitution.planning.writing.factors_out import with_factors_out
 from restitution.planning.writing.facts_once import with_distances_once, with_facts_once
 from restitution.planning.writing.gathering import (
     gathered,
@@ -78,6 +79,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
         ),
         *(
             with_values_out,
+            with_factors_out,
             with_angles_of_paths,
             with_kept_ratios,
             with_one_angle,
