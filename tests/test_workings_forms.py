@@ -416,3 +416,12 @@ def test_a_speed_that_is_given_beside_a_sense_is_introduced() -> None:
         "given along(velocity(A), i) < 0, speed(A) = u/2\nfind e"
     )
     assert "It is given that the speed of A is u/2 and v < 0. u/2 = −v" in shown
+
+
+def test_a_velocity_said_again_is_in_the_decimals_of_its_line() -> None:
+    shown = working(
+        "wall W1: along i, through (0, 0)\nwall W2: along -4i + 3j, through (4, 0)\n"
+        "sphere P: at (1, 1), velocity -j\nP hits W1: e = 1/2\nP hits W2: e = 1/2\n"
+        "find velocity(P), time(2)\nP hits W1: e = 1/2\nfind position(P)"
+    )
+    assert "As 𝐯₂ = −0.36𝐢 + 0.02𝐣, P moves away from W1" in shown

@@ -41,7 +41,7 @@ from restitution.solving.equations.coefficients import COEFFICIENTS
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.measured import number_carried, worth
+from restitution.workings.naming.measured import as_answer, number_carried, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.no_root import reason_of_no_root
 
@@ -335,8 +335,11 @@ class Notes:
         if not cited or max(cited) == last:
             return say("note.unreached", reason=note.reason)
         links = self._relation(max(cited)).only
-        value = Relation(((replace(links[-1], left=links[0].left),),))
-        return say("note.unreached-as", value=self._naming.relation(value), reason=note.reason)
+        left, right = links[0].left, links[-1].right
+        exact = [side for side, sign in as_answer(right) if sign == "="]
+        sides = (self._naming.layout(left), exact[-1] if exact else self._naming.layout(right))
+        value = lay.Relation(sides, (links[-1].sign,))
+        return say("note.unreached-as", value=value, reason=note.reason)
 
     @staticmethod
     def _is_out_of_range(note: Note) -> bool:
