@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from marked import solution_of, verdicts
 
 import restitution
@@ -381,3 +382,58 @@ find velocity(A), velocity(B)
     for value, verdict in (("5/5", "false"), ("5/2", "true")):
         found = marked(statement, "p = 5", f"y = {value}", **letters)
         assert [line["verdict"] for line in found["lines"]] == ["false", verdict], value
+
+
+# 2v + w = 11 and w - v = 2.5: v = 17/6, w = 16/3; after the wall B has -8/3.
+OFF_A_WALL = """sphere A: mass 2, velocity 5i + 2j
+sphere B: mass 1, velocity i + 3j
+wall W: along j
+A hits B: along i, e = 5/8
+B hits W: e = 1/2
+find speed(B)"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "speed from wall",
+        "speed away from the wall",
+        "speed of B away from W",
+        "speed of B to the left after W",
+    ],
+)
+def test_a_speed_with_a_sense_is_a_component(words: str) -> None:
+    assert verdicts(OFF_A_WALL, f"{words} = 8/3") == ["true"]
+    assert verdicts(OFF_A_WALL, f"{words} = 7.1") == ["false"]
+
+
+@pytest.mark.parametrize("sign", ["//", "∥", "||", "is // to"])
+def test_a_sign_for_parallel_stands_between_directions(sign: str) -> None:
+    statement = (
+        "sphere P: mass 0.5, velocity 6i + 3j\nwall W: unknown\nP hits W\n"
+        "given velocity(P) = 2i + 6j\nfind direction(W)"
+    )
+    statement = statement.replace("wall W: unknown\n", "wall W\n")
+    assert verdicts(statement, f"wall {sign} 3i + 4j") == ["true"]
+    assert verdicts(statement, f"wall {sign} 4i + 3j") == ["false"]
+
+
+def test_two_answers_that_are_right_to_two_figures_lose_one_mark() -> None:
+    statement = (
+        "sphere A: mass 0.3, velocity 6 at 30°\nsphere B: mass 0.2, velocity 5 at 60° from -i\n"
+        "A hits B: along i, e = 0.8\nfind speed(A), speed(B)"
+    )
+    found = marked(
+        statement,
+        "0.3(6 cos 30) + 0.2(-5 cos 60) = 0.3v + 0.2w",
+        "w - v = 0.8(5.196 + 2.5)",
+        "v = -0.35",
+        "w = 5.8",
+        "speed of A = 3.0",
+        "speed of B = 7.2",
+        v="along(velocity(A), i)",
+        w="along(velocity(B), i)",
+    )
+    points = found["marks"]["points"][-2:]
+    assert [point["state"] for point in points] == ["lost", "earned"]
+    assert points[0]["why"] == "given too coarsely"

@@ -54,6 +54,7 @@ _NEAR = 1e-7
 _LEAST = 1e-9
 _ROUNDED = 2e-3
 _FIGURES = 2
+_THIRD = 3
 _OFF = 1.5
 """So many units of the third figure is an answer off that values rounded too early lead to."""
 _IMPULSE = ("I", "J")
@@ -192,14 +193,17 @@ class Sides:
     def is_off(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the last decimal that a line gives for a point is wrong in its third figure.
 
-        So it is where values rounded too early have led to it: 4.65 for 4.67.
+        So it is where values rounded too early have led to it: 4.65 for 4.67. A decimal of two
+        figures may be right in these: 7.2 for 7.247.
         """
         value = None if point.link is None else self.value_of(point.link.left, line)
         if point.link is None or value is None or has_unit_vector(value):
             return False
-        if not (line.line.links and line.line.links[-1].decimals):
+        decimals = line.line.links[-1].decimals if line.line.links else ()
+        if not decimals:
             return False
-        return not self._has_figures_of(value, point.link.left, line, units=_OFF)
+        units = max(_OFF, *(0.5 * 10 ** (_THIRD - decimal.figures) for decimal in decimals))
+        return not self._has_figures_of(value, point.link.left, line, units=units)
 
     def is_to_a_tenth(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line ends in an angle to a tenth of a degree: ``β = 8.2``."""

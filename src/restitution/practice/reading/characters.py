@@ -57,6 +57,14 @@ _TYPED = (
     (re.compile(r"\b(sep)\s?/\s?(app)\b", re.IGNORECASE), r"\1/\2roach"),
     (re.compile(r"(?<![*\w])\*\*([A-Za-z]\w{0,3})\*\*(?![*\w])"), r" \1 "),
     (re.compile(r"(?<![A-Za-z])([ij])\^(?=\s*(?:[-+=)\s,]|$))"), r"\1 "),
+    # ``wall // 3i + 4j``: before a vector it is a sign between two directions
+    (
+        re.compile(
+            r"(?<=[A-Za-z])(?:\s*(?:[∥‖]|//)|\s+\|\|(?=\s))\s*(?:to\s+)?"
+            r"(?=[-−([]*\s*[\d.√½]*\s*[ij\d])"
+        ),
+        " parallel to ",
+    ),
     (re.compile(r"(?<=[A-Za-z])(?:⊥|\s⊥(?=\s*[=)]))"), "_perp "),
     (re.compile(r"(?<=[A-Za-z])(?:[∥‖]|\|\|(?=\s*[=+\-]))"), "_par "),
     (re.compile(r"[①-⑨]"), lambda match: f" ({ord(match[0]) - 0x245F})"),

@@ -123,6 +123,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, between=True)
         elif low in ("relative", "rel"):
             features = replace(features, heads=features.heads | {"relative"})
+        elif low in ("from", "off") and previous in ("speed", "component") and not features.sense:
+            features = replace(features, sense="away")  # the speed from the wall
         elif low in ("rebounds", "hits", "collides") and not features.stage:
             features = replace(features, stage="after")
         if low not in ("the", "of", "sphere", "ball", "particle", "point"):

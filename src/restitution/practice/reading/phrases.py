@@ -213,6 +213,8 @@ class _Reader(Journeys):
                 if self.features.axis is not None and heads <= {"direction"}:
                     yield from self.of_the_axis(event)
             elif "speed" in heads:
+                if self.features.sense:  # the speed away from a wall, or to the left
+                    yield from self.component(event)
                 yield from self.speed(event)
             elif heads == {"magnitude"} and not self.features.names:
                 yield from self.impulse(event)
