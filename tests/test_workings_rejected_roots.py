@@ -155,21 +155,17 @@ def test_why_neither_of_two_roots_is_rejected(statement: str, reason: str) -> No
     assert reason in " ".join(to_text(working).split())
 
 
-# (1 + e)√(4a² − h²) = 2a has two roots that are opposite: both satisfy it.
+# The equation has two roots that are opposite: both satisfy it.
 def test_a_root_of_a_positive_letter_is_rejected_by_its_sign() -> None:
     statement = """
-sphere P: mass m, velocity u i, radius a
+sphere P: mass m, velocity p at 30°
 sphere Q: mass m, at rest
-P hits Q: offset h
-part a
-given speed(Q) = 2/3 u
-find h
-part b
-given h = a, e = 2/3
-find speed(Q)
+P hits Q: along i
+given (1 + e) sqrt(9u^2 - p^2) = 3u
+find p
 """
     shown = " ".join(to_text(explain(solve(parse(statement)), marks="none")).split())
-    assert "as h is positive and e ≥ 0" in shown
+    assert "p = 3u√((2 + e)e)/(1 + e), as p is positive and e ≥ 0" in shown
     assert "does not satisfy" not in shown
 
 
