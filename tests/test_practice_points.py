@@ -361,3 +361,35 @@ def test_the_angle_after_is_the_one_that_is_asked_below_a_mistake() -> None:
     statement += "P hits AB: e = sqrt(3)/3\nP hits BC: e = 1/2\nfind angle(velocity(P), BC)"
     lines = ["angle with BC is 75", "perp after = 8.16sin75 = 7.88", "angle after = 75"]
     assert verdicts(statement, *lines) == ["true", "false", "follows"]
+
+
+def test_decimals_that_are_exact_are_no_rounding() -> None:
+    statement = "wall W: along 4i + 3j\nsphere P: mass 1, velocity 10i\nP hits W: e = 1/3\n"
+    statement += "find velocity(P)"
+    line = "v = 8(0.8i + 0.6j) + 2(-0.6i + 0.8j)"
+    for end, verdict in (("5.2i + 6.4j", "true"), ("5.2i + 6.2j", "false"), ("5i + 6.4j", "false")):
+        assert verdicts(statement, line, f"v = {end}") == ["true", verdict]
+
+
+def test_a_part_of_what_is_lost_alone_has_no_method() -> None:
+    statement = "wall W: along i\nwall V: along j\nsphere P: mass 2, velocity -6i - 8j\n"
+    statement += "P hits W: e = 1/2\nP hits V: e = 2/3\nfind total_energy_lost"
+    before = ["after W -6i + 4j", "after V 4i + 4j"]
+    method = "kinetic energy"
+    assert not any(of(statement, method, *before, "loss = 1/2×2×(52 - 32) = 20"))
+    whole = ["loss at W = 1/2×2×(100 - 52) = 48", "loss at V = 20", "total 68"]
+    assert all(of(statement, method, *before, *whole))
+    assert all(of(statement, method, *before, "loss = 1/2×2×(100 - 32) = 68"))
+
+
+def test_a_letter_may_multiply_the_vector_along_which_a_sphere_leaves() -> None:
+    statement = "sphere A: mass 1, velocity 10i\nsphere B: mass 2, at rest\n"
+    statement += "A hits B: along 3i + 4j, e = 3/4\nfind velocity(A), velocity(B)"
+    lines = ["10i = v_A + 2k(3i + 4j)", "v_A = 10i - 2k(3i + 4j)", "v_A.(3i + 4j) = 30 - 50k"]
+    lines += ["25k - 30 + 50k = 3/4 × 30", "k = 0.7", "v_B = 2.1i + 2.8j", "v_A = 5.8i - 5.6j"]
+    assert verdicts(statement, *lines) == ["true"] * 7
+    assert all(won for _, _, won in points(statement, *lines))
+    other = statement.replace("3i + 4j", "i + j").replace("mass 1, velocity 10i", "mass 3")
+    other = other.replace("mass 3", "mass 3, velocity 6i").replace("e = 3/4", "e = 1/2")
+    assert verdicts(other, "v_B = q(i + j)", "18i = 3v_A + 2q(i + j)", "q = 2.7") == ["true"] * 3
+    assert verdicts(other, "v_B = q(i + j)", "18i = 3v_A + 3q(i + j)")[1] == "false"

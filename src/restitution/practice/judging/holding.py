@@ -462,8 +462,10 @@ class Holding:
 
     def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
         entry = self._entry_of(line, link, judged.claim)
+        exact = judged.verdict == "true" and judged.accuracy == "exact"
         return replace(
             entry,
+            decimals=() if exact else entry.decimals,  # 0.6 and 0.8 are what they are
             right=judged.verdict in ("true", "unsupported"),
             wrong=judged.verdict == "false",
             coarse=judged.accuracy == "coarse",

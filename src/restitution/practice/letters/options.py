@@ -370,13 +370,17 @@ def scaled(
 def multiples(
     candidates: Iterable[Candidate], direction: Expression, problem: Problem
 ) -> Iterator[Candidate]:
-    """What is multiplied by a direction of any length: an impulse, or what it changes.
+    """What is multiplied by a direction of any length: an impulse, or what it changes, a velocity.
 
     In ``2(v_A - 6i - 2j) = -k(3i + 4j)`` the size of the impulse is 5k; a change of velocity may
     be told in the same way.
     """
     size = Apply("abs", direction)
     for candidate in candidates:
+        if not candidate.start and _is_component(candidate.quantity):
+            # The velocity of a sphere that was at rest: v_B = k(3i + 4j).
+            share = Binary("/", candidate.quantity, size)
+            yield replace(candidate, quantity=share, cost=candidate.cost + _MULTIPLE)
         if (
             candidate.kind != "impulse"
             or candidate.nature != "scalar"

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
     is_quantity,
     letters,
     unsigned,
@@ -37,6 +38,7 @@ from restitution.practice.letters.trial import Tester
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
+from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Event, Find, Given, Impact, Let, Part, Problem, Show, trees
 from restitution.records import dataclass
@@ -240,6 +242,8 @@ class Surroundings:
                                 continue
                         for factor, vector in pairs:
                             own = unsigned(factor)
+                            if is_binary(own, "*") and is_bare(own.left):
+                                own = own.right  # 2k(3i + 4j), with a mass
                             if isinstance(own, Letter) and self._size(vector) not in (0.0, 1.0):
                                 directions.setdefault(own.name, vector)
         return directions

@@ -12,7 +12,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.quantities import ENERGIES
+from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
     COMPONENTS,
     Apply,
@@ -276,6 +276,16 @@ class LineContents(Sides):
     def has_inequality(self, line: JudgedLine) -> bool:
         """Whether a line compares two values that need not be equal."""
         return any(link.readings[0].sign not in ("=", "!=") for link in line.line.links)
+
+    def is_other_loss(self, asked: Expression, line: JudgedLine) -> bool:
+        """Whether a line gives an energy lost, and not the one that is asked."""
+        if not is_quantity(asked, *LOSSES) or not line.line.links:
+            return False
+        left = line.line.links[0].readings[0].left
+        if not isinstance(left, Letter) or "loss" not in map(HEADS.get, left.name.split()):
+            return False
+        last = line.line.links[-1].readings[0].right
+        return not self._is_worth(last, asked, line)
 
     def is_separation(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives the difference of two velocities after an impact a value."""

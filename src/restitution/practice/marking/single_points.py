@@ -72,6 +72,7 @@ class SinglePoints(PrincipleLines):
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
         lost = self._of_other_energy(point) or self._of_difference(point)
+        lost = lost or self._of_a_part(point)
         if lost is not None:
             return lost
         for line, use in self._uses(point):
@@ -232,6 +233,21 @@ class SinglePoints(PrincipleLines):
                 if named and not kept:
                     return PointMark(point, "lost", line.line.number, why)
         return None
+
+    def _of_a_part(self, point: MarkPoint) -> PointMark | None:
+        """A loss in one impact, or of one sphere, alone in a working that is to give another."""
+        asked = [
+            other.link.left
+            for other in self.scheme.points
+            if point.id in other.depends and other.item is not None and other.link is not None
+        ]
+        of_energy = [x for x in self.lines if any(use.principle == "energy" for use in x.uses)]
+        if point.principle != "energy" or len(asked) != 1 or len(of_energy) != 1:
+            return None
+        line = of_energy[0]
+        if line.verdict != "true" or not self.values.is_other_loss(asked[0], line):
+            return None
+        return PointMark(point, "lost", line.line.number, "a part of the energy lost")
 
     def _compared(self, point: MarkPoint) -> JudgedLine | None:
         """A line that uses the condition of a point, or compares what the part is to compare."""

@@ -51,7 +51,8 @@ GRADIENT = re.compile(
     r"\b(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s+has\s+(?:a\s+)?(?:gradient|slope)\s+(?:of\s+)?"
 )
 
-_SAID = re.compile(r"=|\b(?:is|runs|lies|goes|along|parallel|direction)\b")
+# What tells that a label is of the wall itself.
+_VERB = re.compile(r"=|\b(?:is|runs|lies|goes|along|parallel|direction)\b")
 
 
 def lies_along(match: re.Match[str], problem: Problem) -> str:
@@ -61,7 +62,7 @@ def lies_along(match: re.Match[str], problem: Problem) -> str:
     if not known or len(names) > 1:
         return match[0]
     # A label alone, wall: i + j, may be of another vector.
-    return f"{match[1]}parallel to wall: " if _SAID.search(match[0]) else f"{match[1]}wall: "
+    return f"{match[1]}parallel to wall: " if _VERB.search(match[0]) else f"{match[1]}wall: "
 
 
 def normal(match: re.Match[str], problem: Problem) -> str:
