@@ -202,7 +202,8 @@ class Sides:
         decimals = line.line.links[-1].decimals if line.line.links else ()
         if not decimals:
             return False
-        units = max(_OFF, *(0.5 * 10 ** (_THIRD - decimal.figures) for decimal in decimals))
+        last = max(decimals, key=lambda decimal: decimal.column)
+        units = max(_OFF, 0.5 * 10 ** (_THIRD - last.figures))
         return not self._has_figures_of(value, point.link.left, line, units=units)
 
     def is_to_a_tenth(self, point: MarkPoint, line: JudgedLine) -> bool:
