@@ -75,7 +75,10 @@ def _with_hint(item: ItemResult, name: str) -> ItemResult:
     )
     own = type(error)(f"{error.message}; {hint}", error.line, error.column)
     own.fixes = error.fixes
-    own.because = f"for an acute {shown}, {error.because or error.message}"
+    because = error.because or error.message
+    # A value that no acute angle has is a reason by itself.
+    by_itself = because.startswith("it cannot be that")
+    own.because = because if by_itself else f"for an acute {shown}, {because}"
     return replace(item, error=own)
 
 
