@@ -489,12 +489,12 @@ show angle(velocity(P), W) <= alpha
         ),
         ["component of 𝐯_A along 𝐢", "component of 𝐯_A along 𝐣"],
     ),
-    "an impulse with a letter is along the line on which spheres approach": (
+    "an impulse with a letter has its direction without that": (
         (
             "sphere A: mass m, velocity 2u i + u j\nsphere B: mass 2m, velocity -u i + 2u j\n"
             "A hits B\ngiven impulse(A) = -lambda m u (i + j), e = 1/2\nfind lambda"
         ),
-        ["As ((2u𝐢 + u𝐣) − (−u𝐢 + 2u𝐣)) · (𝐢 + 𝐣) = 2u > 0, A and B approach each other"],
+        ["the line of centres is parallel to 𝐢 + 𝐣", "Scalar products with 𝐢 + 𝐣, along the"],
     ),
     "a direction that is shown has its sense by an acute angle": (
         (

@@ -298,7 +298,12 @@ def _without_a_scalar(scene: Scene, tree: Expression) -> Expression | None:
     plain = plain_direction(value)
     if not all(component.is_number for component in plain):
         return None
-    sense = -1 if proved_sign(Oracle(roles(scene.problem)), value.dot(plain)) == -1 else 1
+    scalar = value.dot(plain)
+    if scalar.free_symbols & set(scene.model.final):
+        # Its sign is not known yet: how the bodies approach tells the sense.
+        sense = -1 if next(filter(None, plain)) < 0 else 1
+    else:
+        sense = -1 if proved_sign(Oracle(roles(scene.problem)), scalar) == -1 else 1
     return vector(*(tree_of(sense * component) for component in plain))
 
 
