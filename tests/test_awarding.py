@@ -1316,3 +1316,13 @@ find tan(alpha)
 """
     assert marks(corner, "straight-line") == ["M1 A1", "M1"]
     assert marks(pass_, "put") == ["A1", "DM1"]
+
+
+def test_a_velocity_put_together_beside_a_method_for_a_time_has_a_mark_of_its_own() -> None:
+    text = """
+wall V: along i, through (0, 0)
+sphere P: mass 1, at (0, 6), velocity 4i - 3j
+P hits V: e = 2/3
+find time(1), velocity(P)
+"""
+    assert printed_marks(text) == ["M1 A1", "B1", "B1", "B1"]

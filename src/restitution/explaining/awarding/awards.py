@@ -379,6 +379,7 @@ class _Awarding:
                     star = line.number in self.shown
                     # What needs no method is independent.
                     own = not before or self._is_read_off(line, out)
+                    own = own or self._is_put_together_alone(line, before)
                     kind: Literal["A", "B"] = "B" if own and not (star or marks) else "A"
                     marks.append(Mark(kind, star=star, ft=not star and self._follows(line, out)))
                 else:
@@ -387,6 +388,20 @@ class _Awarding:
                 before.append(line.number)
             out[line.number] = tuple(reasoned(mark) for mark in marks)
         return out
+
+    def _is_put_together_alone(self, line: Line, methods: Sequence[int]) -> bool:
+        """Whether a velocity is put together of components for which there was no method.
+
+        Those of other items, as of a time, are none for it, unless they are laws.
+        """
+        above = [self.lines[number] for number in methods]
+        in_a_case = any(line.number in case.lines for case in self.derivation.cases)
+        if line.move.record != "assemble" or in_a_case:
+            return False
+        if any(own.move.id == "law" for own in above):
+            return False
+        items = {own.item for own in above}
+        return line.item not in items and not self._rests_on(line, methods)
 
     def _answers_twice(self, line: Line) -> bool:
         """Whether a line has two answers.

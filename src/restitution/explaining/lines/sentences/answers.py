@@ -98,11 +98,12 @@ SENTENCES: Mapping[str, str] = {
         "{letter} is possible: what is given cannot occur."
     ),
     "note.goes-on": (
-        "There is no such impact. The other answers are only what the data would give, without "
-        "{letter}."
+        "The other answers are worked out from the data without {letter}, though there is no such "
+        "impact."
     ),
     "note.rests-on": (
-        "There is no such impact. The other answers are only what the data would give."
+        "The other answers are worked out from the data all the same, though there is no such "
+        "impact."
     ),
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
