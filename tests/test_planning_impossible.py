@@ -128,7 +128,7 @@ def test_walls_in_an_order_that_cannot_be() -> None:
         "find position(P)"
     )
     shown = working(text + "\nP hits F: e = 1/2\nfind speed(P)")
-    assert "𝐯₂ = (−𝐢 + 𝐣) m s⁻¹ A1ft (ii) So P moves away from F: what is described" in shown
+    assert "𝐯₂ = (−𝐢 + 𝐣) m s⁻¹ B1ft (ii) So P moves away from F: what is described" in shown
     assert "(i) position of P at the second impact = (6, 2) m A1" in shown
 
 
@@ -251,7 +251,7 @@ def test_what_is_asked_above_an_event_that_cannot_happen_is_answered() -> None:
     assert items[1].exact == (3, 2)
     shown = working(text)
     assert "(i) t₁ = 4/4 = 1 s M1 A1" in shown
-    assert "𝐯_P = (3𝐢 + 2𝐣) m s⁻¹ A1" in shown
+    assert "𝐯_P = (3𝐢 + 2𝐣) m s⁻¹ B1" in shown
     assert "What is described cannot happen, as P does not meet W between its ends" in shown
     assert shown.index("𝐯_P = (3𝐢 + 2𝐣)") < shown.index("What is described cannot happen")
 
