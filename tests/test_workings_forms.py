@@ -28,7 +28,7 @@ def test_a_number_in_common_stands_before_the_sum(
     )
     assert f"Let S = {sum_of}." in shown
     assert f"S = {square}" in shown
-    assert f"when M = {place} A1" in shown
+    assert f"so M = {place} A1" in shown
 
 
 def test_an_angle_that_is_put_in_is_in_degrees() -> None:

@@ -369,7 +369,7 @@ P hits W
 given tan(alpha) = 4/3, energy_lost = 40% of energy(0)
 find e
 """)
-    assert "8² − (8e)² = 0.4 × 10² DM1 A1 64(1 − e²) = 40 e² = ⅜" in text
+    assert "8² − (8e)² = ⅖ × 10² DM1 A1 64(1 − e²) = 40 e² = ⅜" in text
 
 
 def test_a_letter_that_takes_the_place_of_its_value_is_not_substituted_for() -> None:

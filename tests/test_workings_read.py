@@ -229,7 +229,7 @@ SAYS = [
         "so it moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1",
     ),
     (THREE_DISCS, "Solving (1) and (2): a = 12 b = 5"),
-    (SLOW_BLOW, "6 − λ = 2, as 0 < λ < 6"),
+    (SLOW_BLOW, "6 − λ = 2, as λ < 6"),
     (ONE_SECOND, "x-coordinate of P at the impact = 4 × 1 = 4 m"),
     (
         APART,

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Quantity,
+    Unit,
     has_quantity,
     letters,
     walk,
@@ -291,8 +292,12 @@ def _write(
 def _without_a_scalar(scene: Scene, tree: Expression) -> Expression | None:
     """The direction of a multiple of a vector of numbers by letters, in its sense; None of another.
 
-    A scalar of which the sign is open leaves the sense open too.
+    A scalar of which the sign is open leaves the sense open too. A difference of two vectors is to
+    be worked out first.
     """
+    units = [node for node in walk(tree) if isinstance(node, Unit)]
+    if len(units) > len(set(units)):
+        return None
     if not letters(tree) or not isinstance(value := scene.value(tree), Vector):
         return None
     plain = plain_direction(value)

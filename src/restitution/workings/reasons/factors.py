@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    Number,
     is_binary,
     is_function,
     is_zero,
@@ -32,12 +33,27 @@ from restitution.workings.reasons.right_angles import in_letters_alone
 def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
     """The factor in letters by which a line was divided; None where it has no short form.
 
-    Beside a sum nothing is said of letters of which nothing is cited: they are positive.
+    Beside a sum nothing is said of letters of which nothing is cited: they are positive. Who takes
+    the root of a square divides by nothing.
     """
     both = _before_and_after(derivation, line)
+    if both is not None and _is_root_of(*both):
+        return None
     facts = (ref for ref in line.premises if isinstance(ref, str))
     cited = frozenset(word.strip(":") for fact in facts for word in fact.split())
     return None if both is None else _cancelled(*both, cited)
+
+
+def _is_root_of(above: Relation, line: Relation) -> bool:
+    """Whether one relation says of the square of a side what the other says of the side."""
+    links = (*above.options[0], *line.options[0])
+    if len(links) != 2 or any(link.sign != "=" for link in links):
+        return False
+    square, root = links
+    match square.left:
+        case Binary("^", base, Number(power)):
+            return power == 2 and base == root.left
+    return False
 
 
 def _before_and_after(derivation: Derivation, line: Line) -> tuple[Relation, Relation] | None:
