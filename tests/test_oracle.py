@@ -35,6 +35,7 @@ from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE, REAL, TO_180,
 from restitution.oracle.senses import possible_senses
 from restitution.oracle.sums_of_angles import sine_of_share
 from restitution.solving import solve
+from restitution.workings import explain, to_text
 
 ROLES = {
     **dict.fromkeys(("m", "u", "k", "v"), POSITIVE),
@@ -552,3 +553,13 @@ def test_a_claim_rests_on_the_facts_about_its_letters_alone() -> None:
     assert not oracle.proves(Relation(v, ">"))
     assert oracle.with_facts([Relation(x, ">")]).proves(Relation(v, ">"))
     assert Oracle({"x": POSITIVE}, (loose,)).proves(Relation(v, ">"))
+
+
+def test_a_root_of_a_polynomial_with_long_numbers_is_left_undecided() -> None:
+    """SymPy would look for the factors of its numbers."""
+    text = (
+        "wall W: along i\nsphere P: mass m, velocity u at 40° to W\nP hits W\n"
+        "given tan(deflection(P)) = 2\nfind e, speed(P)"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "e ≈ 0.517" in shown

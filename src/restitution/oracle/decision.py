@@ -464,8 +464,14 @@ def _related(number: Any, operator: str) -> Any:
     return number > 0 if operator == ">" else number >= 0
 
 
+_LONGEST = 128  # bits
+
+
 def _exact(number: Any) -> sp.Expr:
-    """A value of a model as a SymPy number."""
+    """A value of a model as a SymPy number.
+
+    Raises TooLargeError for a root of a polynomial with long numbers: SymPy factors these.
+    """
     if hasattr(number, "numerator_as_long"):
         return sp.Rational(number.numerator_as_long(), number.denominator_as_long())
     x = sp.Dummy("x")
@@ -474,5 +480,7 @@ def _exact(number: Any) -> sp.Expr:
         for value in number.poly()
     ]
     polynomial = sp.Poly(list(reversed(coefficients)), x)
+    if any(max(abs(c.p), c.q).bit_length() > _LONGEST for c in coefficients):
+        raise TooLargeError("a root of a polynomial with long numbers")
     roots = polynomial.real_roots(multiple=False)
     return roots[number.index() - 1][0]
