@@ -32,6 +32,7 @@ which is no more on a busy machine. What is too large is not asked at all."""
 MOST_GENERATORS = 14
 MOST_DEGREE = 40
 MOST_MONOMIALS = 1500
+MOST_BITS = 128
 # Roots beside numbers of which only bounds are known: with five or more, none of the questions
 # that were met was decided within the guard; with two, some are.
 MOST_ROOTS_OF_BOUNDS = 4
@@ -464,9 +465,6 @@ def _related(number: Any, operator: str) -> Any:
     return number > 0 if operator == ">" else number >= 0
 
 
-_LONGEST = 128  # bits
-
-
 def _exact(number: Any) -> sp.Expr:
     """A value of a model as a SymPy number.
 
@@ -480,7 +478,7 @@ def _exact(number: Any) -> sp.Expr:
         for value in number.poly()
     ]
     polynomial = sp.Poly(list(reversed(coefficients)), x)
-    if any(max(abs(c.p), c.q).bit_length() > _LONGEST for c in coefficients):
+    if any(max(abs(c.p), c.q).bit_length() > MOST_BITS for c in coefficients):
         raise TooLargeError("a root of a polynomial with long numbers")
     roots = polynomial.real_roots(multiple=False)
     return roots[number.index() - 1][0]

@@ -394,14 +394,14 @@ class _Awarding:
 
         Those of other items, as of a time, are none for it, unless they are laws.
         """
+        if line.move.record != "assemble":
+            return False
+        if any(line.number in case.lines for case in self.derivation.cases):
+            return False
         above = [self.lines[number] for number in methods]
-        in_a_case = any(line.number in case.lines for case in self.derivation.cases)
-        if line.move.record != "assemble" or in_a_case:
+        if any(own.move.id == "law" or own.item == line.item for own in above):
             return False
-        if any(own.move.id == "law" for own in above):
-            return False
-        items = {own.item for own in above}
-        return line.item not in items and not self._rests_on(line, methods)
+        return not self._rests_on(line, methods)
 
     def _answers_twice(self, line: Line) -> bool:
         """Whether a line has two answers.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import sympy as sp
 
 from restitution.exact import tidy
@@ -23,6 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_data
+from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.formulas.turns import Form
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
@@ -164,14 +167,10 @@ def given_at_a_wall(
         premises = scene.judge.enough(move, cited, relation)
         if premises is not None:
             line = scene.desk.write(move, premises, relation)
-            quotient = unsigned(swept(own.right)) if rest == 0 else swept(own.right)
-            relation = chain(Apply("tan", final), (quotient, None))
             known = (*data, *background(scene, letters(angle)))
-            refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation, known)
-            if refs is not None and rest == 0:
-                refs = scene.judge.needed(own.move, refs, relation)  # no component away from it
-            if refs is not None:
-                return scene.desk.write(own.move, refs, relation)
+            tangent = _tangent(scene, own, final, (line, meaning), known)
+            if tangent is not None:
+                return tangent
         scene.desk.back(mark)
         return None
     line, _ = tangent_line(scene, after, own, own.move)
@@ -187,6 +186,19 @@ def given_at_a_wall(
             return number_
     scene.desk.back(mark)
     return None
+
+
+def _tangent(
+    scene: Scene, own: Formula, angle: Expression, refs: tuple[Ref, ...], known: Iterable[Ref]
+) -> int | None:
+    """The tangent of an angle to a wall by its components; of 0° it is 0, whatever their sense."""
+    is_zero = scene.scalar(angle) == 0
+    quotient = unsigned(swept(own.right)) if is_zero else swept(own.right)
+    relation = chain(Apply("tan", angle), (quotient, None))
+    premises = scene.judge.enough(own.move, (*refs, *own.refs), relation, known)
+    if premises is not None and is_zero:
+        premises = scene.judge.needed(own.move, premises, relation)  # no component away from it
+    return None if premises is None else scene.desk.write(own.move, premises, relation)
 
 
 def _mentions(tree: Expression) -> int:
@@ -273,10 +285,9 @@ def _related_to_degrees(
     known = chain(Letter(letter), (worth, None))
     value = line and scene.judge.write((Move("rearrange"),), (line,), known)
     if value:
-        relation = chain(Apply("tan", worth), (swept(own.right), None))
-        refs = scene.judge.enough(own.move, (value, meaning, *own.refs), relation, data)
-        if refs is not None:
-            return scene.desk.write(own.move, refs, relation)
+        tangent = _tangent(scene, own, worth, (value, meaning), data)
+        if tangent is not None:
+            return tangent
     scene.desk.back(mark)
     return None
 

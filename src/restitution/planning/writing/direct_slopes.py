@@ -12,7 +12,6 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import in_letters
@@ -28,7 +27,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import ONE, swept
-from restitution.planning.writing.gathering import numbered_anew
+from restitution.planning.writing.lines_in_two import number_above, with_two_for
 
 
 def with_direct_slopes(derivation: Derivation, oracle: Oracle) -> Derivation:
@@ -37,14 +36,8 @@ def with_direct_slopes(derivation: Derivation, oracle: Oracle) -> Derivation:
         if (line.move.id, line.move.record) != ("define", "straight-line"):
             continue
         for pair in _by_the_tangent(derivation, line):
-            order = [
-                own
-                for other in derivation.lines
-                for own in (pair if other.number == line.number else (other,))
-            ]
-            whole = numbered_anew(derivation, order)
-            read = reader_of(whole, oracle)
-            if all(map(read.accepts, whole.lines[line.number - 1 : line.number + 1])):
+            whole = with_two_for(derivation, line, pair, oracle)
+            if whole is not None:
                 return with_direct_slopes(whole, oracle)
     return derivation
 
@@ -66,7 +59,7 @@ def _by_the_tangent(derivation: Derivation, line: Line) -> Iterator[tuple[Line, 
             if isinstance(ratio, Binary):
                 put = _divided(right, quotient, tangent) or put
             first = Relation(((Link(left, "=", put),),))
-            above = replace(line, number=len(derivation.lines) + 1, relation=first, premises=refs)
+            above = replace(line, number=number_above(derivation), relation=first, premises=refs)
             last = Relation(((Link(left, "=", final),),))
             move = Move("put")
             yield above, replace(line, move=move, relation=last, premises=(above.number, ref))

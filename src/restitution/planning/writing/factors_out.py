@@ -10,13 +10,12 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Relation, equality
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Binary, Expression, has_quantity
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.gathering import numbered_anew
+from restitution.planning.writing.lines_in_two import number_above, with_two_for
 
 
 def with_factors_out(derivation: Derivation, oracle: Oracle) -> Derivation:
@@ -25,17 +24,11 @@ def with_factors_out(derivation: Derivation, oracle: Oracle) -> Derivation:
         left_over = _without_common(derivation, line)
         if left_over is None:
             continue
-        above = replace(line, number=len(derivation.lines) + 1, relation=left_over)
+        above = replace(line, number=number_above(derivation), relation=left_over)
         for premises in ((above.number,), (above.number, *line.premises[1:])):
             below = replace(line, premises=premises)
-            order = [
-                own
-                for other in derivation.lines
-                for own in ((above, below) if other.number == line.number else (other,))
-            ]
-            whole = numbered_anew(derivation, order)
-            read = reader_of(whole, oracle)
-            if all(map(read.accepts, whole.lines[line.number - 1 : line.number + 1])):
+            whole = with_two_for(derivation, line, (above, below), oracle)
+            if whole is not None:
                 return whole
     return derivation
 

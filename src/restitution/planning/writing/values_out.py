@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
-from restitution.planning.writing.gathering import numbered_anew
+from restitution.planning.writing.lines_in_two import number_above, with_two_for
 
 
 def with_values_out(derivation: Derivation, oracle: Oracle) -> Derivation:
@@ -52,16 +52,10 @@ def _with_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
         own = _with_a_ratio(derivation, line) if line.move.id == "put" else None
         if own is None or line.item in shown:
             continue
-        above = replace(line, number=len(derivation.lines) + 1, relation=own)
+        above = replace(line, number=number_above(derivation), relation=own)
         below = replace(line, move=Move("rearrange"), premises=(above.number,))
-        order = [
-            own_line
-            for other in derivation.lines
-            for own_line in ((above, below) if other.number == line.number else (other,))
-        ]
-        whole = numbered_anew(derivation, order)
-        read = reader_of(whole, oracle)
-        if read.accepts(read.lines[line.number]) and read.accepts(read.lines[line.number + 1]):
+        whole = with_two_for(derivation, line, (above, below), oracle)
+        if whole is not None:
             return _with_ratios(whole, oracle)
     return derivation
 

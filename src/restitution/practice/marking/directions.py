@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Link
@@ -156,17 +156,26 @@ class Directions(LineContents):
 
     def mentions(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the angle of a point stands anywhere in a line, by whatever it is called."""
+        return self._is_named(point, line, walk)
+
+    def _is_named(
+        self,
+        point: MarkPoint,
+        line: JudgedLine,
+        parts: Callable[[Expression], Iterable[Expression]],
+    ) -> bool:
+        """Whether one of the ``parts`` of a side names what a point is for, or its angle."""
         link = point.link
         if link is None:
             return False
         meanings = self._meanings(line)
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
         return any(
-            self._names(node, tree, meanings, line)
+            self._names(part, tree, meanings, line)
             for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
-            for node in walk(side)
+            for part in parts(side)
             for tree in dict.fromkeys((link.left, angle))
         )
 

@@ -269,18 +269,7 @@ class Values(Directions):
 
     def speaks_for(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a side of a line names what a point is for: an angle, or its tangent."""
-        link = point.link
-        if link is None:
-            return False
-        meanings = self._meanings(line)
-        angle = link.left.argument if isinstance(link.left, Apply) else link.left
-        return any(
-            self._names(side, tree, meanings, line)
-            for chain in chains(line)
-            for claim in chain
-            for side in (claim.left, claim.right)
-            for tree in dict.fromkeys((link.left, angle))
-        )
+        return self._is_named(point, line, lambda side: (side,))
 
     def has_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the angle of a point is all that a line has of velocities, as a sine or so."""
