@@ -102,3 +102,34 @@ def test_a_wall_lies_along_a_vector(typed: str, state: str) -> None:
     _, of_wall, *_ = [point for point in marking["marks"]["points"] if point["kind"][0] == "A"]
     assert of_wall["state"] == state
     assert marking["lines"][1]["verdict"] == ("true" if state == "earned" else "false")
+
+
+@pytest.mark.parametrize(
+    ("typed", "verdict"),
+    [
+        ("gradient of J = -1", "true"),
+        ("grad of change in velocity = 4/(-4) = -1", "true"),
+        ("impulse has gradient -1, m1 m2 = -1 so gradient of W = 1", "true"),
+        ("slope of v - u is 1", "false"),
+    ],
+)
+def test_an_impulse_has_the_gradient_of_a_change_of_velocity(typed: str, verdict: str) -> None:
+    text = f"J = 2(3i + 5j - 7i - j) = -8i + 8j\n{typed}"
+    marking = restitution.mark(restitution.parse(HIDDEN_WALL), text).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["true", verdict]
+
+
+BLOW = """
+sphere P: mass 2, velocity 3i + 3j
+P receives 4i - 8j
+find velocity(P), deflection(P)
+"""
+
+
+@pytest.mark.parametrize(
+    "typed", ["angles 45 and 11.3", "angle before 45, angle after 11.3", "angle = 11.3"]
+)
+def test_an_angle_beside_a_blow_may_be_one_to_i(typed: str) -> None:
+    text = f"v = 5i - j\n{typed}\ndeflection = 56.3"
+    marking = restitution.mark(restitution.parse(BLOW), text).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["true", "true", "true"]

@@ -20,6 +20,7 @@ from restitution.problem import Problem
 from restitution.records import dataclass
 
 _WORD = re.compile(r"[A-Za-z]+[0-9]*|[0-9](?:st|nd|rd|th)|-(?=[ij]\b)|&|\d")
+_AGAINST = frozenset(("-", "minus", "negative", "against"))
 _SENSES = frozenset(("left", "right", "up", "down", "towards", "away", "opposite"))
 AXES: dict[str, Expression] = {
     "i": Unit("i"),
@@ -91,8 +92,10 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, names=(*features.names, *word))
         elif low in ("i", "j", "x", "y") and _is_axis(words, place):
             axis = AXES[low]
-            features = replace(features, axis=Negate(axis) if previous == "-" else axis)
-            if "direction" in [word.lower() for word in words[max(0, place - 3) : place]]:
+            features = replace(features, axis=Negate(axis) if previous in _AGAINST else axis)
+            if not features.sense and "direction" in [
+                word.lower() for word in words[max(0, place - 3) : place]
+            ]:
                 features = replace(features, sense="axis")
         elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
             percent = features.percent or low in ("percentage", "percent")

@@ -33,6 +33,7 @@ from restitution.expression.tree import (
     is_binary,
     is_quantity,
     negated,
+    unsigned,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
 from restitution.practice.reading.journeys import Journeys, names_in
@@ -51,7 +52,7 @@ from restitution.practice.reading.phrase_names import (
     speaks_of_the_end,
     tells_after,
 )
-from restitution.problem import Impact, Problem
+from restitution.problem import Impact, Kick, Problem
 
 __all__ = [
     "UNNAMED_ANGLE",
@@ -304,7 +305,7 @@ class _Reader(Journeys):
         named = features.direction or ""
         sense = self.along_sense(event, body)
         if features.axis is not None and "perpendicular" not in named:
-            yield Quantity("along", (velocity, features.axis))
+            yield Quantity("along", (velocity, self.axis_in_its_sense(event, body)))
         elif features.axis is not None:
             yield Quantity("across", (velocity, features.axis))
         elif "centres" in named and "perpendicular" not in named:
@@ -346,6 +347,18 @@ class _Reader(Journeys):
     def along_sense(self, event: int, body: str) -> Expression | None:
         """The direction of *to the left* and its like."""
         return AXES.get(self.features.sense or "")
+
+    def axis_in_its_sense(self, event: int, body: str) -> Expression:
+        """The axis named, turned where other words give the sense: *to the left along i*."""
+        axis, sense = self.features.axis, self.features.sense
+        assert axis is not None
+        if sense == "opposite":
+            return negated(axis)
+        wanted = AXES.get(sense or "")
+        impact = self.events[event - 1] if 0 < event <= len(self.events) else None
+        if sense in ("towards", "away") and isinstance(impact, Impact) and impact.along:
+            wanted = negated(impact.along) if self.turned(event, body) else impact.along
+        return wanted if wanted is not None and unsigned(wanted) == unsigned(axis) else axis
 
     def turned(self, event: int, body: str) -> bool:
         """Whether *towards B*, *away from the wall* is against the line of centres."""
@@ -589,15 +602,19 @@ class _Reader(Journeys):
             yield from self.angles_to_axes(event)
 
     def angles_to_axes(self, event: int) -> Iterator[Expression]:
-        """The angles to i, or j, of a line of centres that slants, and of velocities beside it."""
+        """The angles to i, or j, of a line of centres that slants, and of velocities beside it.
+
+        At a blow they are those of the velocity of the body that receives it.
+        """
         met = self.bodies_met(event)
-        if len(met) < 2 or any(
-            isinstance(step, Impact) and isinstance(step.along, Unit)
-            for step in self.events[event - 1 : event]
-        ):
-            return
-        named = [name for name in self.features.names if name in met]
-        lines = [self.of("velocity", name, event) for name in named] or [self.line(event)]
+        match self.events[event - 1] if 0 < event <= len(self.events) else None:
+            case Kick(body):
+                lines = [self.of("velocity", body, event)]
+            case Impact(along=along) if len(met) == 2 and not isinstance(along, Unit):
+                named = [name for name in self.features.names if name in met]
+                lines = [self.of("velocity", name, event) for name in named] or [self.line(event)]
+            case _:
+                return
         for line in lines:
             angle = Quantity("angle", (line, Unit("i")))
             yield angle

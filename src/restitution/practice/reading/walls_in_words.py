@@ -50,6 +50,18 @@ NORMAL = re.compile(
 GRADIENT = re.compile(
     r"\b(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s+has\s+(?:a\s+)?(?:gradient|slope)\s+(?:of\s+)?"
 )
+# That of an impulse, which the change of velocity has as well: ``gradient of J = -3/4``.
+_IMPULSE = r"([IJ]|impulse|change\s+in\s+(?:velocity|vel|v)|[Δδ]\s?v|v\s*[-−]\s*u)"
+GRADIENT_OF_IMPULSE = re.compile(
+    rf"\b(?:gradient|grad|slope)\s+of\s+(?:the\s+)?\(?{_IMPULSE}\)?(?=\s*(?:[:=]|is\b|-?\d))"
+)
+IMPULSE_HAS_GRADIENT = re.compile(
+    rf"(?<![\w])(?:the\s+)?{_IMPULSE}\s+has\s+(?:a\s+)?(?:gradient|grad|slope)(?:\s+of)?(?=\s*-?\d)"
+)
+# That two gradients are of perpendicular lines, before what follows from it.
+GRADIENTS_OF_PERPENDICULARS = re.compile(
+    r"\bm_?[1₁]\s*[x×*.]?\s*m_?[2₂]\s*=\s*[-−]\s*1\s*(?:[,;:]|so|hence|=>|⇒|∴|therefore)(?=.*=)"
+)
 
 # What tells that a label is of the wall itself.
 _VERB = re.compile(r"=|\b(?:is|runs|lies|goes|along|parallel|direction)\b")
@@ -75,6 +87,14 @@ def gradient(match: re.Match[str], problem: Problem) -> str:
     names = {wall.name for wall in problem.walls}
     known = match[1] in names or (len(names) == 1 and match[1] in ("wall", "cushion", "barrier"))
     return f"gradient of {match[1]} = " if known else match[0]
+
+
+def gradient_of_impulse(match: re.Match[str], problem: Problem) -> str:
+    """The gradient of an impulse as a label, where no body has the name of its letter."""
+    bodies = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
+    if match[1] in bodies:
+        return match[0]
+    return "gradient of impulse =" if " has " in match[0] else "gradient of impulse"
 
 
 def hits_at(match: re.Match[str], problem: Problem) -> str:
