@@ -466,6 +466,30 @@ find alpha
 2 a | rearrange | 1 | alpha = 30°
 a: 2 alpha = 30°
 """,
+    # One identity for both components.
+    "two-sums": """
+wall V: along i
+wall W: along 180° - phi
+sphere Q: velocity v at beta to V
+Q hits V: e = 1
+Q hits W: e = 1
+given velocity(Q) parallel to i
+find phi in terms of beta
+---
+1 a | law unchanged 1 Q | velocity Q, wall V, axis 1 | along(velocity(Q, 1), i) = v cos(beta)
+2 a | law restitution-wall 1 Q | velocity Q, wall V, axis 1, e 1 | along(velocity(Q, 1), j) = v sin(beta)
+3 a | define component 2 Q | axis 2, 2, 1 | along(velocity(Q, 1), line_of_centres(2)) = v cos(beta) sin(phi) + v sin(beta) cos(phi)
+4 a | define component 2 Q | axis 2, 2, 1 | across(velocity(Q, 1), line_of_centres(2)) = v sin(beta) sin(phi) - v cos(beta) cos(phi)
+5 a | identity sum-of-angles | 3 | along(velocity(Q, 1), line_of_centres(2)) = v sin(beta + phi)
+6 a | identity sum-of-angles | 4 | across(velocity(Q, 1), line_of_centres(2)) = -v cos(beta + phi)
+7 a | law unchanged 2 Q | 6 | across(velocity(Q, 2), line_of_centres(2)) = -v cos(beta + phi)
+8 a | law restitution-wall 2 Q | e 2, 5 | along(velocity(Q, 2), line_of_centres(2)) = -v sin(beta + phi)
+9 a | define parallel 2 Q | given 1, axis 2, 8, 7 | -cos(phi) (v sin(beta + phi)) - sin(phi) (v cos(beta + phi)) = 0
+10 a | identity sum-of-angles | 9 | sin(beta + 2phi) = 0
+11 a | inverse | 10, acute:beta, acute:phi | beta + 2phi = 180°
+12 a | rearrange | 11 | phi = 90° - beta/2
+a: 12 phi = 90° - beta/2
+""",  # noqa: E501
     # Spheres touch where their centres are so far apart: the time of that.
     "touch": """
 sphere A: mass 1, at (0, 0), velocity 5i, radius 1
@@ -845,6 +869,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("unknowns-of-equations", "together", 6, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("complement-of-the-data", "complements", 1, "", "", ""),
     ("complement-that-is-given", "complement-afterwards", 4, "M1", "M1", "M1"),
+    ("identity-again", "two-sums", 6, "A1", "A1", "A1"),
     ("identity", "half-the-angle-out", 5, "DM1", "DM1", "DM1"),
     ("square-root", "corner", 11, "", "", ""),
     ("roots", "rejected-root", 9, "DM1", "DM1", "DM1"),
@@ -1326,3 +1351,55 @@ P hits V: e = 2/3
 find time(1), velocity(P)
 """
     assert printed_marks(text) == ["M1 A1", "B1", "B1", "B1"]
+
+
+def test_a_component_that_stays_is_b1_where_it_is_asked_and_so_is_the_law_beside_it() -> None:
+    """A component in the other sense is no reason to take the mark of the one that is used."""
+    text = """
+wall W: along 12i + 5j
+sphere P: mass 2, velocity 2i - 3j
+P hits W: e = 1/4
+find velocity(P), along(velocity(P), W), across(velocity(P), W)
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    laws = [line for line in derivation.lines if line.move.id == "law"]
+    assert [written(line.marks) for line in laws] == ["B1", "B1"]
+    spheres = """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 1, velocity -i
+A hits B: along 3i - 4j, e = 1/2
+find across(velocity(A), line_of_centres), across(velocity(B), line_of_centres)
+"""
+    derivation = awarded(plan(solve(parse(spheres))))
+    asked = [item.line for item in derivation.items]
+    lines = [line for line in derivation.lines if line.number in asked]
+    assert [written(line.marks) for line in lines] == ["B1", "B1"]
+
+
+def test_the_second_velocity_has_its_mark_where_it_is_worked_out() -> None:
+    text = """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 1, velocity -i + 2j
+A hits B: along i - j, e = 1/2
+find dot(velocity(A), velocity(B))
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    own = [line for line in derivation.lines if line.move.record == "assemble"]
+    (first, second) = own
+    assert [written(line.marks) for line in own] == ["M1", ""]
+    below = [line for line in derivation.lines if second.number in line.premises]
+    assert written(below[0].marks) == "A1"
+    assert first.number not in below[0].premises
+
+
+def test_two_comparisons_that_are_joined_have_the_same_marks() -> None:
+    text = """
+wall V: along i
+sphere S: mass m, velocity v at beta to V
+S hits V
+given speed(S) = w
+find range of w in terms of v, e
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    own = [line for line in derivation.lines if line.move.id == "sign"]
+    assert [written(line.marks) for line in own] == ["DM1 A1", "A1"]

@@ -225,5 +225,37 @@ def test_senses_that_the_question_leaves_open_are_taken(statement: str, senses: 
     assert shown.count("Take ") == 1
     assert senses in shown
     assert shown.index(senses) < shown.index("in the direction of")
-    # Where a vector is asked for, the question says how P comes.
+    # Where a vector is asked for, the question says how P comes, and nothing is taken.
     assert "Take " not in working(f"{statement}P hits W\nP hits X\nfind velocity(P)")
+
+
+@pytest.mark.parametrize(
+    ("wall", "velocity", "senses"),
+    [
+        ("i", "u at 20° to W", "A first moves along W in the direction of 𝐢, and 𝐣 is away from W"),
+        ("j", "3 at 70° to W", "A first moves along W in the direction of 𝐣, and 𝐢 is towards W"),
+        (
+            "i",
+            "u at 110° to W",
+            "A first moves along W in the direction opposite to 𝐢, and 𝐣 is away from W",
+        ),
+        ("i", "u at -20°", None),
+        ("i", "2i - 3j", None),
+    ],
+)
+def test_the_sense_along_a_wall_is_said_beside_another_sphere(
+    wall: str, velocity: str, senses: str | None
+) -> None:
+    """An angle to a wall does not say which way along it A moves."""
+    shown = working(f"""
+        wall W: along {wall}
+        sphere A: mass 2, velocity {velocity}
+        sphere B: mass 1, at rest
+        A hits W: e = 1/2
+        A hits B: along j, e = 1/2
+        find velocity(A)
+        """)
+    assert ("first moves along" in shown) == (senses is not None)
+    if senses is not None:
+        assert shown.count(senses) == 1
+        assert shown.index(senses) < shown.index("in the direction of", shown.index(senses) + 60)

@@ -462,7 +462,8 @@ def test_spheres_without_a_radius_are_particles_where_they_are_apart() -> None:
         "sphere A: mass 1, velocity 4i + j\nsphere B: mass 2, velocity -2i + 2j\n"
         "A hits B: along i, e = 1/2\nfind distance(A, B, at 3)"
     )
-    assert "With the spheres as particles, together at the impact: distance apart" in in_a_row(text)
+    says = "The spheres are taken as particles, so they are together at the impact. Distance apart"
+    assert says in in_a_row(text)
 
 
 def test_a_velocity_of_the_data_by_components_has_its_words() -> None:

@@ -32,7 +32,9 @@ def printed(text: str) -> str:
 
 def test_how_far_apart_two_are_comes_of_their_relative_speed() -> None:
     text = printed(TO_A_WALL + "find distance(A, B)")
-    assert "together at the first impact: distance apart = relative speed × time" in text
+    assert (
+        "so they are together at the first impact. Distance apart = relative speed × time:" in text
+    )
     assert "at the second impact = (4d/(9u))(9u/4 − 5u/4) = 4d/9 M1 A1" in text
     assert "position of A" not in text
 

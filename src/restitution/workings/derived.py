@@ -226,8 +226,8 @@ class _Writer:
         self.before = ()
         self.heading = self.naming.heading_in_part = None
         steps = tuple(labelled_once(joined(self.steps(lines, label))))
-        if self.axes is not None and has_axes(steps):
-            steps, self.axes = tuple(with_axes(steps, self.axes)), None
+        if self.axes and has_axes(steps):
+            steps, self.axes = tuple(with_axes(steps, self.axes)), ()
         return steps
 
     def afresh(self) -> None:

@@ -52,7 +52,14 @@ from restitution.explaining.awarding.mark_rules import (
     marks_of_note,
     rules_of,
 )
-from restitution.explaining.awarding.work import length, single_sides, subject_of
+from restitution.explaining.awarding.work import (
+    earning_under,
+    is_an_equation,
+    is_where_reached,
+    length,
+    single_sides,
+    subject_of,
+)
 from restitution.explaining.data.unused import lines_under
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -67,7 +74,6 @@ from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
 from restitution.explaining.lines.trees import is_share_of_energy
 from restitution.expression.tree import (
     Letter,
-    Quantity,
     has_quantity,
     letters,
 )
@@ -199,7 +205,8 @@ class _Awarding:
                 # A principle, or a component, and its value are one mark.
                 one = line.move.id in ("law", "define")
                 own = [e for e in points[line.number] if e != "B" or not one]
-                points[line.number] = own + (["M", "A"] if lone else ["A"])
+                stays = line.move.record == "unchanged" and not lone
+                points[line.number] = ["B"] if stays else own + (["M", "A"] if lone else ["A"])
                 if self._answers_twice(line):
                     own = [e for e in points[line.number] if e == "M"]
                     points[line.number] = [*own, "A", "A"]
@@ -212,13 +219,18 @@ class _Awarding:
                 if line.move.record == "component":
                     for other in self.cited(line):
                         # One fact, from which the component is read off, is one mark.
-                        if other.move.id == "law" and other.number not in self.ends:
+                        if self._is_only_for(other, line):
                             points[other.number] = []
             if points[line.number]:
                 earned.add(self.part(line))
         self._with_a_method(points)
         self._with_an_equation(points)
         return self._settled(points)
+
+    def _is_only_for(self, law: Line, line: Line) -> bool:
+        """Whether a law stands on the way to one line alone."""
+        users = [own for own in self.below(law) if law.number in own.premises]
+        return law.move.id == "law" and law.number not in self.ends and users == [line]
 
     def noted(self, marks: dict[int, Marks]) -> Iterator[Note]:
         """The notes with their marks; those of lines are taken from there.
@@ -298,13 +310,13 @@ class _Awarding:
 
     def _is_closed(self, line: Line) -> bool:
         """Whether values are put into an equation of an earlier part that is no value of one."""
-        if line.shown == "silent" or not _is_an_equation(line):
+        if line.shown == "silent" or not is_an_equation(line):
             return False
         if line.move.id != "put":
             rule = self.rule(line)
             return rule is not None and rule.name == "repeated"
         earlier = (own for own in self.cited(line) if self.part(own) != self.part(line))
-        return any(_is_an_equation(own) for own in earlier)
+        return any(is_an_equation(own) for own in earlier)
 
     def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
         """The mark of an item that a fact gives goes to the line that had it in letters."""
@@ -411,7 +423,9 @@ class _Awarding:
         """
         if line.move.record in ("greatest", "least"):
             end = self.ends.get(line.number)
-            return end is not None and not end.shown and any(map(_is_a_place, self.cited(line)))
+            return (
+                end is not None and not end.shown and any(map(is_where_reached, self.cited(line)))
+            )
         moves = ("roots", "rearrange")
         if line.number not in self.ends or line.move.id not in moves or is_opposite(self, line):
             return False
@@ -484,6 +498,12 @@ class _Awarding:
                     points[line.number], method = ("A",), None
                 else:
                     method = line
+        # Of two bounds that are joined the second is the same method once more.
+        for line in marked:
+            first, *others = earning_under(self, line, points) or (line.number,)
+            for other in others if line.move.id == "compare" else ():
+                if "A" in points[first] and points[other] == ("M",):
+                    points[other] = ("A",)
         return points
 
     def _is_of_values(self, line: Line) -> bool:
@@ -675,22 +695,6 @@ _LONG_RUN = 3
 """So many methods in a row no board gives without a mark for accuracy."""
 
 
-def _is_a_place(line: Line) -> bool:
-    """Whether a line says that a value is reached at one of a letter, without being printed."""
-    return (
-        line.shown == "silent"
-        and line.move.id == "put"
-        and isinstance(line.relation, Relation)
-        and len(line.relation.options) == 2
-    )
-
-
 def _once(points: Sequence[str]) -> tuple[str, ...]:
     """M, A, B in this order, each once; a value that a method gives needs no B beside it."""
     return tuple(kind for kind in "BMA" if kind in points)
-
-
-def _is_an_equation(line: Line) -> bool:
-    """Whether a line is an equation of which the left side is no letter or quantity alone."""
-    sides = single_sides(line.relation) if isinstance(line.relation, Relation) else None
-    return sides is not None and not isinstance(sides[0], Letter | Quantity)

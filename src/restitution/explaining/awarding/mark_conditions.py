@@ -18,6 +18,7 @@ from restitution.explaining.awarding.place_conditions import (
 from restitution.explaining.awarding.work import (
     Work,
     is_another_assembled,
+    is_identity_again,
     is_like_one_above,
     is_settled,
     length,
@@ -658,6 +659,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-one-term": _of_one_term,
     "for-an-angle": _for_an_angle,
     "another-assembled": is_another_assembled,
+    "identity-again": is_identity_again,
     "like-one-above": is_like_one_above,
     "asked": lambda work, line: (
         subject_of(line) in [end.answer.options[0][0].left for end in work.derivation.items]

@@ -114,6 +114,7 @@ RULES: tuple[Rule, ...] = (
     _rule("equations-joined", ("combine", "divide", "square-add"), "M"),
     _rule("complement-that-is-given", ("identity",), "M", ("complement",), ("fact-of-motion",)),
     _rule("complement-of-the-data", ("identity",), "", ("complement",), ("of-facts",)),
+    _rule("identity-again", ("identity",), "A", when=("on-the-way", "identity-again")),
     _rule("identity", ("identity",), "M", when=("on-the-way",)),
     _rule("square-root", ("roots",), "", when=("opposite",)),
     _rule("roots", ("roots",), "M"),
@@ -138,7 +139,7 @@ RULES: tuple[Rule, ...] = (
         ("on-the-way", "another-assembled", "asked"),
     ),
     _rule(
-        "another-put-together", ("define",), "A", ("assemble",), ("on-the-way", "another-assembled")
+        "another-put-together", ("define",), "V", ("assemble",), ("on-the-way", "another-assembled")
     ),
     _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
     _rule("velocity-in-components", ("define",), "", ("assemble", "relative-velocity")),

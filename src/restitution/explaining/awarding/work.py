@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
@@ -14,6 +14,7 @@ from restitution.explaining.lines.derivation import (
     Line,
     Meaning,
     Relation,
+    is_same_identity,
     whole_of,
 )
 from restitution.explaining.lines.marks import Style
@@ -78,6 +79,37 @@ def subject_of(line: Line) -> Expression | None:
     return sides[0]
 
 
+def is_an_equation(line: Line) -> bool:
+    """Whether a line is an equation of which the left side is no letter or quantity alone."""
+    sides = single_sides(line.relation) if isinstance(line.relation, Relation) else None
+    return sides is not None and not isinstance(sides[0], Letter | Quantity)
+
+
+def is_where_reached(line: Line) -> bool:
+    """Whether a line says that a value is reached at one of a letter, without being printed."""
+    return (
+        line.shown == "silent"
+        and line.move.id == "put"
+        and isinstance(line.relation, Relation)
+        and len(line.relation.options) == 2
+    )
+
+
+def earning_under(work: Work, line: Line, points: Mapping[int, Sequence[str]]) -> tuple[int, ...]:
+    """The numbers of the lines that a line joins: of each that it cites, the nearest with points.
+
+    What has no points leads on where it rests on one line alone.
+    """
+    numbers = []
+    for own in work.cited(line):
+        below = [own]
+        while len(below) == 1 and not points[below[0].number]:
+            below = list(work.cited(below[0]))
+        if len(below) == 1:
+            numbers.append(below[0].number)
+    return tuple(numbers)
+
+
 def is_like_one_above(work: Work, line: Line) -> bool:
     """Whether a line above in the same part is by the same definition, after the same event."""
     return any(
@@ -85,6 +117,12 @@ def is_like_one_above(work: Work, line: Line) -> bool:
         and work.part(other) == work.part(line)
         for other in work.above(line)
     )
+
+
+def is_identity_again(work: Work, line: Line) -> bool:
+    """Whether the line just above applies the same identity to another equation."""
+    above = [other for other in work.above(line) if other.shown != "silent"]
+    return bool(above) and is_same_identity(above[-1], line)
 
 
 def is_another_assembled(work: Work, line: Line) -> bool:

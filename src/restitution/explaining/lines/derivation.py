@@ -394,6 +394,17 @@ def whole_of(links: tuple[Link, ...]) -> Link | None:
     return Link(first.left, first.sign, rest[-1].right) if rest else first
 
 
+def is_same_identity(line: Line, other: Line) -> bool:
+    """Whether two lines of an item apply one identity to equations, and neither uses the other."""
+    return (
+        line.move.id == other.move.id == "identity"
+        and line.move.record == other.move.record
+        and line.item == other.item
+        and line.number not in other.premises
+        and other.number not in line.premises
+    )
+
+
 def numbers_in(refs: Iterable[Ref]) -> list[int]:
     """The numbers of the lines among what is cited."""
     return [ref for ref in refs if isinstance(ref, int)]

@@ -1,4 +1,4 @@
-"""In which senses **i** and **j** are taken, where the question leaves that open."""
+"""In which senses **i** and **j** run beside a wall to which an angle is told."""
 
 from __future__ import annotations
 
@@ -7,27 +7,36 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Degrees, Expression, Negate, Polar, Unit, negated
+from restitution.expression.tree import Degrees, Expression, Name, Negate, Polar, Unit, negated
 from restitution.problem import Problem
 from restitution.render import layout as lay
-from restitution.wording.scene import scene_of, wall_before
+from restitution.wording.scene import Scene, scene_of, wall_before
 from restitution.workings.rendering.steps import Step
 
 AXES = (lay.Bold("i"), lay.Bold("j"))
 
 
-def senses_of_axes(problem: Problem) -> Sentence | None:
-    """How **i** and **j** lie to the first wall and to the way on which a sphere comes to it.
+def senses_of_axes(problem: Problem) -> tuple[Sentence, ...]:
+    """How **i** and **j** lie to walls, and to the ways on which spheres first come to them.
 
-    None where the question says it: of a sphere that comes to a wall at an acute angle it says no
-    more than that, unless a vector is asked for.
+    Where the question leaves that open, they are taken so; where it is told of an angle to a wall,
+    which has two sides, it is said. None where angles are told from **i** or **j**.
     """
-    if len(problem.spheres) != 1 or not isinstance(problem.spheres[0].velocity, Polar):
-        return None
-    (sphere,) = problem.spheres
-    velocity = problem.spheres[0].velocity
-    name = wall_before(scene_of(problem), velocity)
-    wall = next((wall for wall in problem.walls if wall.name == name), None)
+    scene = scene_of(problem)
+    return tuple(
+        sentence
+        for sphere in problem.spheres
+        if isinstance(sphere.velocity, Polar)
+        for sentence in (_sense_at_a_wall(scene, sphere.name, sphere.velocity),)
+        if sentence is not None
+    )
+
+
+def _sense_at_a_wall(scene: Scene, body: str, velocity: Polar) -> Sentence | None:
+    """How a sphere with such a velocity first moves along a wall, and on which side of it."""
+    taken = wall_before(scene, velocity) if len(scene.problem.spheres) == 1 else None
+    name = taken or (velocity.wall.name if isinstance(velocity.wall, Name) else None)
+    wall = None if name is None else scene.wall(name)
     if wall is None or not isinstance(wall.along, Unit):
         return None
     along: Expression = wall.along
@@ -39,12 +48,13 @@ def senses_of_axes(problem: Problem) -> Sentence | None:
     if isinstance(across, Negate):
         across, towards = across.operand, not towards
     assert isinstance(across, Unit)
+    against, manner = isinstance(along, Negate), "axes" if taken else "axes.told"
     return say(
-        "axes.towards" if towards else "axes.away",
+        f"{manner}.towards" if towards else f"{manner}.away",
         along=lay.Bold(wall.along.axis),
-        sense=say("axes.against" if isinstance(along, Negate) else "axes.with"),
+        sense=say(f"{manner}.against" if against else f"{manner}.with"),
         across=lay.Bold(across.axis),
-        body=sphere.name,
+        body=body,
         wall=wall.name,
     )
 
@@ -64,16 +74,16 @@ def _left(axis: Expression) -> Expression:
     return Negate(Unit("i"))
 
 
-def with_axes(steps: Sequence[Step], sentence: Sentence) -> Iterator[Step]:
-    """Steps with a sentence above the first of them that has **i** or **j**."""
+def with_axes(steps: Sequence[Step], sentences: tuple[Sentence, ...]) -> Iterator[Step]:
+    """Steps with sentences above the first of them that has **i** or **j**."""
     waiting = True
     for step in steps:
         if waiting and has_axes(step):
             waiting = False
             if step.kind == "setting":
-                yield replace(step, sentences=(sentence, *step.sentences))
+                yield replace(step, sentences=(*sentences, *step.sentences))
                 continue
-            yield Step("setting", sentences=(sentence,))
+            yield Step("setting", sentences=sentences)
         yield step
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import takewhile
 from typing import Any
 
 from restitution.exact import tidy
@@ -14,6 +15,7 @@ from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Relation,
+    is_same_identity,
     numbers_in,
 )
 from restitution.explaining.lines.saying import Sentence, say
@@ -261,7 +263,7 @@ class Leads(Titles):
     def _by_an_identity(self, line: Line, source: Source | None) -> Sentence:
         """By which identity a line comes, from which equation or from which given angles."""
         how = self._by_the_half(line) or self._by_squares(line) or say(self._identity(line))
-        equations = () if source is None else self._numbers(source)
+        equations = self._numbered(self._alike(line)) if source is not None else ()
         fact = self._angles_given(line)
         if fact is not None and line.move.record == "complement":
             return say("derived.since", facts=(fact_in_words(self._naming, fact),))
@@ -271,6 +273,15 @@ class Leads(Titles):
         if equations:
             return say("derived.by-from", how=how, equations=equations)
         return say("derived.by", how=how)
+
+    def _alike(self, line: Line) -> list[int]:
+        """The numbers of equations to which one identity is applied, line by line, as here."""
+        lines = [own for own in self._derivation.lines if own.shown != "silent"]
+        place = lines.index(line)
+        above = takewhile(lambda own: is_same_identity(own, line), reversed(lines[:place]))
+        below = takewhile(lambda own: is_same_identity(own, line), lines[place:])
+        sources = [self._sources.of(own) for own in (*above, *below)]
+        return [number for source in sources if source for number in source.numbered]
 
     def _along_centres(self, line: Line, body: str) -> SentenceId:
         """What is said of a body that moves along the line of centres: why, where it is new."""

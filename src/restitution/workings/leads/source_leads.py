@@ -315,8 +315,12 @@ class SourceLeads(LinesAround):
 
     def _numbers(self, source: Source) -> tuple[Sentence, ...]:
         """The numbers of the equations from which a line comes, in their order."""
-        numbers = [self._sources.numbers[number] for number in source.numbered]
-        if source.kind != "divide":
+        return self._numbered(source.numbered, ordered=source.kind != "divide")
+
+    def _numbered(self, lines: Iterable[int], *, ordered: bool = True) -> tuple[Sentence, ...]:
+        """The numbers of lines that have some, from the top if ``ordered``."""
+        numbers = [self._sources.numbers[number] for number in lines]
+        if ordered:
             numbers.sort()
         return tuple(say("derived.number", number=str(number)) for number in numbers)
 

@@ -220,6 +220,14 @@ SENTENCES: Mapping[str, str] = {
     ),
     "axes.with": "in the direction",
     "axes.against": "opposite to the direction",
+    "axes.told.away": (
+        "{body} first moves along {wall} {sense} {along}, and {across} is away from {wall}."
+    ),
+    "axes.told.towards": (
+        "{body} first moves along {wall} {sense} {along}, and {across} is towards {wall}."
+    ),
+    "axes.told.with": "in the direction of",
+    "axes.told.against": "in the direction opposite to",
     "sense.approach": "{one} and {other} approach each other along {vector}:",
     "sense.approach-as": "As {reason}, {one} and {other} approach each other along {vector}:",
     "sense.into": "As {reason}, {vector} is towards {wall}.",

@@ -228,7 +228,8 @@ SENTENCES: Mapping[str, str] = {
         "along {way}: so {first} has to be at {point} then."
     ),
     "distance.relative": (
-        "With the spheres as particles, together at {event}: distance apart = relative speed × time"
+        "The spheres are taken as particles, so they are together at {event}. Distance apart = "
+        "relative speed × time"
     ),
     "distance.level": (
         "Perpendicular to the line of centres {one} and {other} keep level, so with the spheres as "
