@@ -177,3 +177,47 @@ def test_an_angle_in_letters_and_then_in_numbers(fact: str, line: str) -> None:
     assert "δ = α + β = α + arctan(⅔ tan α)" in shown
     assert line in shown
     assert "not written out" not in shown
+
+
+CORNER = """
+point O: (0, 0)
+wall V: from O to (5, 0)
+wall W: from O to (0, 3)
+sphere P: at (3, 2), velocity -w i - w j
+P hits V: e = f
+P hits W: e = g
+P reaches (5, y)
+"""
+
+
+def test_a_letter_asked_in_letters_keeps_them_where_its_value_has_a_condition() -> None:
+    text = (
+        CORNER + "find y in terms of f, g\ngiven f = 1/3\nfind range of g\n"
+    )  # by hand: x = 1 and y = f at the walls, 5fw = (y − f)gw
+    first, second = solve(parse(text)).parts[None].items
+    assert [answer.exact for answer in first.answers] == ["f*(g + 5)/g"]
+    assert second.answers[0].exact == "Interval.Lopen(0, 1)"
+    explanation = explain(solve(parse(text)), check=True)
+    assert explanation.followed
+    lines = " ".join(to_text(explanation).split())
+    assert "5fw = (y − f)gw" in lines
+    assert "g > 0, as g ≥ 0 and there is no y if g = 0" in lines
+
+
+@pytest.mark.parametrize("letter", ["e", "f"])
+def test_a_coefficient_in_terms_of_an_angle_stands_above_the_tangent_that_is_given(
+    letter: str,
+) -> None:
+    text = (
+        "wall W: along j\nsphere P: mass m, velocity v at theta to W\n"
+        f"P hits W: e = {letter}\ngiven speed(P) = 3/4 v\n"
+        f"find {letter} in terms of theta\ngiven tan(theta) = 2\nfind {letter}"
+    )
+    first, second = solve(parse(text)).parts[None].items
+    assert [answer.letters for answer in first.answers] == [frozenset({"theta"})]
+    # By hand: e² = (9/16 − cos²θ)/sin²θ = (9/16 − 1/5)/(4/5) = 29/64.
+    assert [answer.exact for answer in second.answers] == ["sqrt(29)/8"]
+    derivation = planned(text)
+    assert "given 2" not in under(derivation, "1")
+    lines = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert f"{letter}² = (9 − 16 cos²θ)/(16 sin²θ)" in lines

@@ -311,6 +311,20 @@ def test_data_that_contradict_each_other_are_worked_out(given: str, told: str) -
     assert text.rpartition(" ")[0].endswith("So the data contradict each other.")
 
 
+@pytest.mark.parametrize(("share", "angle"), [("3/4", "50°"), ("1/2", "35°"), ("2/3", "60°")])
+def test_premises_that_clash_before_the_last_is_cited_are_needed_still(
+    share: str, angle: str
+) -> None:
+    # The component that stays, u sin α, is more than the speed: all follows of these two alone.
+    text = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        f"A hits B: along i, e = e\ngiven speed(A) = {share} u, alpha = {angle}\nfind e"
+    )
+    solution, derivation = planned(text)
+    assert derivation.notes[0].kind == "impossible"
+    assert printed(solution).rstrip(" A1").endswith("So what is described cannot happen.")
+
+
 def test_data_that_contradict_each_other_for_all_letters() -> None:
     text = (
         "sphere A: mass m, velocity u at 30°\nsphere B: mass 2m, velocity u at theta from -i\n"

@@ -185,7 +185,7 @@ def _is_in_letters(alone: ItemResult, whole: ItemResult) -> bool:
     """Whether an item has one value in letters, of which the facts say what they are."""
     if alone.error is not None or whole.error is not None or not isinstance(alone.item, Value):
         return False
-    return len(alone.distinct) == 1 and not alone.distinct[0].condition
+    return len(alone.distinct) == 1
 
 
 def _late(problem: Problem, without: Problem, part: Part) -> tuple[Fact, ...]:

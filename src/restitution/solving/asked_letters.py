@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from restitution.expression.tree import Letter, letters
+from restitution.expression.tree import letters
 from restitution.problem import Find, Given, Part, Problem, Value, count_of_items
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 
@@ -39,10 +39,8 @@ def _lacks(result: ItemResult, listed: frozenset[str]) -> bool:
     """Whether a value has not all the letters that are listed for it."""
     if result.error is not None or not isinstance(result.item, Value) or not result.answers:
         return False
-    own = result.item.expression
-    if isinstance(own, Letter):
-        return False  # a letter is an unknown of all the facts
-    return any(listed - letters(own) - answer.letters for answer in result.answers)
+    own = letters(result.item.expression)
+    return any(listed - own - answer.letters for answer in result.answers)
 
 
 def _without_facts_after(problem: Problem, part: Part, cut: int) -> Problem:
@@ -54,7 +52,7 @@ def _without_facts_after(problem: Problem, part: Part, cut: int) -> Problem:
 
 def _in_letters(whole: ItemResult, alone: ItemResult, listed: frozenset[str]) -> ItemResult:
     """The result as it is without the facts below, where that is one value in more letters."""
-    if alone.error is not None or len(alone.distinct) != 1 or alone.distinct[0].condition:
+    if alone.error is not None or len(alone.distinct) != 1:
         return whole
     value = alone.distinct[0]
     own = value.letters

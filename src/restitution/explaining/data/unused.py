@@ -52,14 +52,16 @@ def first_lines_of_letters(
 ) -> dict[str, int]:
     """The letters of which, or of a ratio of which, a line says the value, with the first one.
 
-    ``among`` are the lines that count; all of them, if it is left out.
+    ``among`` are the lines that count; all of them, if it is left out. A quantity that comes to a
+    letter says nothing of it.
     """
     first: dict[str, int] = {}
     for line in derivation.lines:
         if among is not None and line.number not in among:
             continue
         for links in () if isinstance(line.relation, Meaning) else line.relation.options:
-            for side in (*(link.left for link in links), links[-1].right):
+            ends = () if has_quantity(links[0].left) else (links[-1].right,)
+            for side in (*(link.left for link in links), *ends):
                 own = side.argument if isinstance(side, Apply) else side
                 if isinstance(own, Letter):
                     first.setdefault(own.name, line.number)

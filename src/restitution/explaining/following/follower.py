@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
+from fractions import Fraction
 from functools import cached_property
 from typing import Literal
 
@@ -367,8 +368,20 @@ class Reader:
         for ref in line.premises:
             if ref in trial.needed(line.move, line.premises, line.relation, (ref,)):
                 continue
-            if not self._is_condition(line, ref):
+            if not self._is_condition(line, ref) and not self._clash_without(trial, line, ref):
                 yield Complaint("premise-not-needed", line.number, ref)
+
+    @staticmethod
+    def _clash_without(trial: Trial, line: Line, ref: Ref) -> bool:
+        """Whether the other premises of a line contradict each other.
+
+        Then all follows from them: that the line does tells nothing of this one.
+        """
+        others = tuple(other for other in line.premises if other != ref)
+        try:
+            return trial.follows(line.move, others, _ABSURD)
+        except NotComparableError:
+            return False
 
     def _is_condition(self, line: Line, ref: Ref) -> bool:
         """Whether a premise is a condition that is given, among those that a line joins.
@@ -668,6 +681,7 @@ def _same(line: Relation, answer: Relation) -> bool:
 
 
 _NO_MOVE = Move("let")
+_ABSURD = equality(Number(Fraction(1)), Number(Fraction(0)))
 _ORDERED = ("<", "<=", ">", ">=")
 
 

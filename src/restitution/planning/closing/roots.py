@@ -467,6 +467,10 @@ def in_standard_form(
     move = Move("rearrange")
     names_ = symbol_names(residual(scene, number))
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
+    if refs is None and pure and not by_degrees:
+        line = _square_by_pythagoras(scene, number, squared, polynomial)
+        if line is not None:
+            return line
     if refs is None and pure:
         # A given fact may tell that what it is divided by is not zero.
         given = [ref for ref in scene.judge.known(names_) if ref in scene.facts]
@@ -485,6 +489,35 @@ def in_standard_form(
         if relation != scene.desk.relation(number):
             refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     return number if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _square_by_pythagoras(
+    scene: Scene, number: int, squared: Expression, polynomial: sp.Poly
+) -> int | None:
+    """The square of an unknown as the equation has it, and then as sin² + cos² = 1 has it.
+
+    The last is the square of the root that follows. None where no such line follows.
+    """
+    value = one_fraction(-polynomial.nth(0) / polynomial.nth(2))
+    roots = _real_roots(scene, number, polynomial)
+    if not roots or not value.has(sp.sin) or not value.has(sp.cos):
+        return None
+    of_root = one_fraction(roots[0] ** 2)
+    first, last = (equality(squared, tree_of(own, as_it_is=True)) for own in (value, of_root))
+    known = background(scene, symbol_names(residual(scene, number)))
+    refs = scene.judge.enough(Move("rearrange"), (number,), first, known)
+    if refs is None:
+        return None
+    standing = scene.desk.mark()
+    line = scene.desk.write(Move("rearrange"), refs, first)
+    if first == last:
+        return line
+    by = Move("identity", "pythagoras")
+    refs = scene.judge.enough(by, (line,), last, known)
+    if refs is None:
+        scene.desk.back(standing)
+        return None
+    return scene.desk.write(by, refs, last)
 
 
 def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:

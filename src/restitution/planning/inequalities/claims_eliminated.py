@@ -93,6 +93,11 @@ class Eliminated(InStages):
                 if written is not None:
                     return written
             for line in self.ties.lines():
+                if self._divides_by_an_end(line, relation):
+                    written = self._by_both_ends(line, relation)
+                    if written is not None:
+                        return written
+            for line in self.ties.lines():
                 written = self._eliminated(line, base, relation, target)
                 if written is not None:
                     return written
@@ -328,6 +333,21 @@ class Eliminated(InStages):
                 return None
             written.append(end)
         return self._joined(written, relation, mark)
+
+    def _divides_by_an_end(self, line: int, relation: Relation) -> bool:
+        """Whether a letter that is to be shown not to be zero stands below a fraction in a line."""
+        right = self.scene.desk.last_link(line).right
+        if has_quantity(right):
+            return False
+        below = sp.fraction(one_fraction(sp.sympify(self.scene.scalar(right), strict=True)))[1]
+        names = {symbol.name for symbol in below.free_symbols}
+        return any(
+            link.sign == "<"
+            and is_zero(link.left)
+            and isinstance(link.right, Letter)
+            and link.right.name in names
+            for link in relation.only
+        )
 
     def _is_open(self, link: Link) -> bool:
         """Whether an end of a range does not hold by the range of its letter alone."""

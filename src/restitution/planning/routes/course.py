@@ -125,7 +125,14 @@ class Course:
             open_ = scene.unknown(known.value)
             if value.free_symbols & scene.model.final.keys() or not open_:
                 continue
+            if all(self._has_given_value(other) for other in open_):
+                continue
             scene.desk.loosen(Letter(symbol.name), known)
+
+    def _has_given_value(self, symbol: sp.Symbol) -> bool:
+        """Whether a fact is the value of a letter, which is put in wherever the letter stands."""
+        letter = Letter(symbol.name)
+        return any(is_value_of(given.link, letter) for given in self.scene.given)
 
     def _loosen_ratio(self, angle: sp.Symbol, value: sp.Expr, known: Source) -> None:
         """The ratio by which an angle is known is an equation, where that is degrees here."""

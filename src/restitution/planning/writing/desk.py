@@ -106,7 +106,7 @@ def link(left: Expression, right: Expression, sign: Sign = "=", by: MoveId | Non
     return Link(left, sign, right, by)
 
 
-def is_value_of(link: Link, quantity: Quantity) -> bool:
+def is_value_of(link: Link, quantity: Quantity | Letter) -> bool:
     """Whether an equation gives a quantity, as a number or in letters."""
     return (link.left, link.sign) == (quantity, "=") and not has_quantity(link.right)
 
