@@ -437,3 +437,54 @@ def test_two_answers_that_are_right_to_two_figures_lose_one_mark() -> None:
     points = found["marks"]["points"][-2:]
     assert [point["state"] for point in points] == ["lost", "earned"]
     assert points[0]["why"] == "given too coarsely"
+
+
+AT_A_WALL = """wall W: along i
+sphere P: mass 2, velocity 3i + 6j
+P hits W: e = 2/3
+find velocity(P), impulse(P), energy_lost"""
+
+
+@pytest.mark.parametrize(
+    "impulse",
+    [
+        "Impulse = change in momentum = 6i - 8j - (6i + 12j) = -20j",
+        "I = final momentum - initial momentum = 2(3i - 4j) - 2(3i + 6j) = -20j",
+        "Ix = 2(3 - 3) = 0, Iy = 2(-4 - 6) = -20 so I = -20j",
+    ],
+)
+def test_an_impulse_is_a_change_of_momentum_in_words_and_by_components(impulse: str) -> None:
+    lines = ["v = 3i - 4j", impulse, "loss at W = 20", "total = 20"]
+    found = marked(AT_A_WALL, *lines)
+    assert {line["verdict"] for line in found["lines"]} == {"true"}
+    assert found["marks"]["earned"] == found["marks"]["of"]
+    assert verdicts(AT_A_WALL, lines[0], "I_y = 2(4 - 6) = -4") == ["true", "false"]
+
+
+def test_a_resultant_is_a_speed_and_a_total_is_what_is_asked() -> None:
+    statement = CORNER + "total_energy_lost, speed(P)"
+    lines = [
+        "loss at X = 12",
+        "loss at Y = 8",
+        "total = 12 + 8 = 20",
+        "resultant = √(1 + 4) = 2.24",
+    ]
+    found = marked(statement, *lines)
+    assert {line["verdict"] for line in found["lines"]} == {"true"}
+    assert [p["state"] for p in found["marks"]["points"] if p["kind"].startswith("A")] == [
+        "earned",
+        "earned",
+    ]
+    assert verdicts(statement, "total = 21", "resultant = 2.42") == ["false", "false"]
+
+
+@pytest.mark.parametrize("word", ["def", "deflection", "def."])
+def test_the_cosine_of_a_deflection_by_its_name(word: str) -> None:
+    lines = ["v_A = 2i + j", f"cos({word}) = (6i + j).(2i + j)/(|6i + j||2i + j|) = 0.956"]
+    assert verdicts(PAIR + "deflection(A)", *lines) == ["true", "true"]
+
+
+def test_a_letter_ends_a_formula() -> None:
+    lines = "J = m1m2/(m1 + m2) (1 + e) w = 2/3 × 4/3 × 9 = 8"
+    assert verdicts(PAIR + "impulse", lines) == ["true"]
+    assert verdicts(PAIR + "impulse", lines.replace("8", "6")) == ["false"]

@@ -254,6 +254,8 @@ def usual(
             struck = struck if len(struck) == 1 else impacts  # that of a kick is known
             only = struck[0] if len(struck) == 1 else usage.scope.event
             return _first(candidates, "impulse", None, only) if only else None
+        case "I" | "J" if below in _AXES and _has_vectors(problem) and len(problem.spheres) == 1:
+            return _usual_component(candidates, _AXES[below], usage.scope, "impulse")
         case "t" | "T" if below == "1" and any(_is_time(x) and x.asked for x in candidates):
             return next((x for x in candidates if _is_time(x)), None)
         case "t" if not below and any(_is_time(x) and x.asked for x in candidates):
@@ -276,13 +278,19 @@ def _is_time(candidate: Candidate) -> bool:
 
 
 def _usual_component(
-    candidates: Iterable[Candidate], axis: Literal["i", "j"], scope: Scope
+    candidates: Iterable[Candidate],
+    axis: Literal["i", "j"],
+    scope: Scope,
+    kind: Kind = "component",
 ) -> Candidate | None:
-    """The component along i or j after the latest event, or after that of the heading."""
+    """The component along i or j after the latest event, or after that of the heading.
+
+    Of an impulse it is the component of that in the event.
+    """
     own = [
         candidate
         for candidate in candidates
-        if candidate.kind == "component" and candidate.axis == Unit(axis)
+        if candidate.kind == kind and candidate.axis == Unit(axis)
     ]
     later = [
         candidate for candidate in own if candidate.event and scope.event in (None, candidate.event)

@@ -34,14 +34,29 @@ LOSES_WORKED = re.compile(
     rf"(^|[,;]|\b(?:{_SO})\b)\s*([A-Z])\s+(?:loses|lost|gains|gained)\s+(?=[\d(½][^=,;<>]*=)"
     r"(?=[^=]*(?:1/2|½|0?\.5|²|\^2))(?![^=]*[A-Za-z]{3})",
 )
-TOTAL = re.compile(rf"^\s*(?:{_SO}\s+)?total\s+(?:(?:is|of)\s+)?(?=\d[\d./]*\s*$)", re.IGNORECASE)
+TOTAL = re.compile(
+    rf"^\s*(?:{_SO}\s+)?total\s*(?:(?:is|of|=|:)\s*)?(?=\d[\d./+=\s]*(?:J\b\s*)?$)", re.IGNORECASE
+)
 IN_TOTAL = re.compile(
     rf"^\s*(?:{_SO}\s+)?(\d[\d./]*)\s*(?:J\s+)?(?:is\s+|are\s+)?lost\s+"
     r"(?:in\s+(?:total|all)|altogether|overall)[\s.]*$"
 )
 # A formula in words, between a label and its value: ``time = distance/speed = 4/2``.
 FORMULA = re.compile(
-    r"=\s*(?:distance|dist)\s*[/÷]\s*(?:speed|velocity|time)\s*(?==)", re.IGNORECASE
+    r"=\s*(?:distance|dist)\s*[/÷]\s*(?:speed|velocity|time)\s*(?==)"
+    r"|=\s*(?:(?:the\s+)?change\s+(?:in|of)\s+(?:the\s+)?(?:momentum|mom)"
+    r"|(?:final|new)\s+(?:momentum|mom)\s*[-−]\s*(?:initial|old|original)\s+(?:momentum|mom)"
+    r"|(?:momentum|mom)\s+after\s*[-−]\s*(?:momentum|mom)\s+before)\s*(?==[^=]*\d[ij]\b)",
+    re.IGNORECASE,
+)
+# A word of which the letters are no product: ``cos(def) = 0.6``.
+SHORT_DEFLECTION = re.compile(
+    r"(?<![\w.])def(?:n|lect)?\b\.?(?=\s*(?:[=:)]|is\b|of\b|angle\b))", re.IGNORECASE
+)
+# What two components come to: ``resultant = √(3² + 4²) = 5``.
+RESULTANT = re.compile(
+    rf"(^|[,;])\s*((?:{_SO}\s+)?)(?:the\s+)?resultant(?=\s*(?:[=:]|is\b)\s*(?:√|sqrt|root|[\d.]+u?\s*(?:m|$)))",
+    re.IGNORECASE,
 )
 # The name of a body for its speed, of which the first is worked out as a root.
 SPEEDS = re.compile(rf"^\s*(?:{_SO}\s+)?[A-Z]\s*=\s*√.*$")
@@ -115,6 +130,11 @@ def loses_worked(match: re.Match[str], problem: Problem) -> str:
     change = "gained" if "gain" in match[0] else "lost"
     whole = f" by {match[2]}" if len(names) > 1 else ""
     return f"{match[1]} KE {change}{whole} = "
+
+
+def resultant(match: re.Match[str], _: Problem) -> str:
+    """The speed that a resultant is."""
+    return f"{match[1]} {match[2]} speed"
 
 
 def total(match: re.Match[str], problem: Problem) -> str:

@@ -57,6 +57,8 @@ _TYPED = (
     (re.compile(r"\b(sep)\s?/\s?(app)\b", re.IGNORECASE), r"\1/\2roach"),
     (re.compile(r"(?<![*\w])\*\*([A-Za-z]\w{0,3})\*\*(?![*\w])"), r" \1 "),
     (re.compile(r"(?<![A-Za-z])([ij])\^(?=\s*(?:[-+=)\s,]|$))"), r"\1 "),
+    # ``|3i + 4j||i - j|``: two sizes, and nothing parallel
+    (re.compile(r"(\|[^|=]*[\dijuvw)])\|\|(?=[^|=]*[\dijuvw)]\|)"), r"\1| |"),
     # ``wall // 3i + 4j``: before a vector it is a sign between two directions
     (
         re.compile(

@@ -499,7 +499,7 @@ class _Scanner:
 
     def _is_component(self, letter: str, stop: int) -> bool:
         """Whether ``vx`` is the component of v: where no product could be meant."""
-        if letter not in "uvwVU" or self.text[stop - 1] in self.usage.letters:
+        if letter not in "uvwVUIJ" or self.text[stop - 1] in self.usage.letters:
             return False
         if self.text[stop - 1] == "x" and letter in self.usage.letters and not self.usage.times:
             return False  # x² + 16ux = 0

@@ -340,12 +340,22 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
         start, first = 0, next(n for n in range(first) if tokens[n].kind == "relation")
     if not (_is_simple(right) and _is_simple(tokens[start:first])):
         return False
+    if _ends_a_formula(tokens, first, place, second):
+        return False
     own = {token.name for token in right if token.kind == "letter"}
     other = {token.name for token in tokens[start:place] if token.kind == "letter"}
     behind = {token.name for token in tokens[second:] if token.kind == "letter"}
     if right[0].kind == "function":
         return not own & behind
     return tokens[start].kind == "function" or not own & (other | behind)
+
+
+def _ends_a_formula(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
+    """Whether a letter is the last factor of a formula with its value: ``J = μ(1 + e) w = 14``."""
+    stop = next((n for n in range(second + 1, len(tokens)) if tokens[n].kind == "relation"), None)
+    formula, value = tokens[first + 1 : place], tokens[second + 1 : stop]
+    in_letters = any(token.kind == "letter" for token in formula)
+    return in_letters and tokens[place - 1].kind == ")" and _are_numbers(value)
 
 
 def _is_solved_for(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:

@@ -337,6 +337,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (attributions.FORMULA, lambda _, __: ""),
     (attributions.SPEEDS, attributions.speeds),
     (attributions.LOSES_WORKED, attributions.loses_worked),
+    (attributions.SHORT_DEFLECTION, lambda _, __: "deflection"),
+    (attributions.RESULTANT, attributions.resultant),
     (attributions.TOTAL, attributions.total),
     (attributions.IN_TOTAL, lambda match, _: f"total KE lost = {match[1]}"),
     (attributions.OF_SIZE, lambda match, _: f"{match[1]} = "),
