@@ -35,6 +35,14 @@ A hits B: along i
 given A will {n}hit W
 find range of e
 """
+SLANTED = """
+wall V: along i
+wall W: along {along}
+sphere Q: mass 2, velocity {velocity}
+Q hits V{e}
+given Q will {n}hit W
+find range of {asked}
+"""
 SAYS = {
     "between the ends": (
         GATE.format(n=""),
@@ -62,6 +70,26 @@ SAYS = {
     "away from it": (
         LINE.format(n="not "),
         ["A does not hit W if it does not move towards W", "½ ≤ e ≤ 1"],
+    ),
+    "towards a slanting wall without a place": (
+        SLANTED.format(along="3i + 2j", velocity="4i - 7j", e="", n="", asked="e"),
+        [
+            "component of 𝐯_Q in the direction of 2𝐢 − 3𝐣",
+            "Q hits W if it moves towards W: (8 − 21e)/√13 > 0",
+            "0 ≤ e < 8/21",
+        ],
+    ),
+    "not towards one": (
+        SLANTED.format(along="3i + 2j", velocity="4i - 7j", e="", n="not ", asked="e"),
+        ["Q does not hit W if it does not move towards W", "8/21 ≤ e ≤ 1"],
+    ),
+    "towards one at some degrees": (
+        SLANTED.format(along="60°", velocity="3 at beta to V", e=": e = 1/2", n="", asked="beta"),
+        ["in the direction of sin 60° 𝐢 − cos 60° 𝐣", "tan β < 2√3"],
+    ),
+    "towards one at an obtuse angle": (
+        SLANTED.format(along="150°", velocity="-4i - 3j", e="", n="", asked="e"),
+        ["in the direction of −sin 30° 𝐢 − cos 30° 𝐣"],
     ),
 }
 

@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    has_unit_vector,
     is_binary,
     is_rest,
     is_zero,
@@ -424,13 +425,11 @@ def turned(along: Expression) -> Expression | None:
             return None if other is None else opposite(other)
         case Pair(x, y):
             return Pair(opposite(y), x)
-        case Binary("+" | "-", left, right):
+        case Binary("+" | "-" as op, left, right):
             a, b = turned(left), turned(right)
             if a is None or b is None:
                 return None
-            if isinstance(b, Negate):
-                return Binary("-" if along.op == "+" else "+", a, b.operand)
-            return Binary(along.op, a, b)
+            return _sum_of(a, b if op == "+" else negated(b))
         case Binary("*", left, right):
             b = turned(right)
             if b is None:
@@ -447,9 +446,21 @@ def opposite(tree: Expression) -> Expression:
         return Degrees((tree.value + 180) % 360)
     if isinstance(tree, Binary) and tree.right == RIGHT_ANGLE:
         return Binary("-" if tree.op == "+" else "+", tree.left, tree.right)
+    if is_binary(tree, "+", "-") and has_unit_vector(tree):
+        return _sum_of(negated(tree.left), tree.right if tree.op == "-" else negated(tree.right))
     if is_binary(tree, "-"):
         return Binary("-", tree.right, tree.left)
     return negated(tree)
+
+
+def _sum_of(one: Expression, other: Expression) -> Expression:
+    """A sum of multiples of **i** and **j**, with **i** first and one sign between both."""
+    if Unit("i") in walk(other):
+        one, other = other, one
+    match other:
+        case Negate(operand):
+            return Binary("-", one, operand)
+    return Binary("+", one, other)
 
 
 def dot(world: World, a: Plane, b: Plane) -> Quotient:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from restitution.explaining.data.arrangement import Arrangement
+from restitution.explaining.data.arrangement import Arrangement, dot, opposite, turned
 from restitution.explaining.lines.algebra import World
-from restitution.explaining.lines.derivation import Link, Relation
-from restitution.explaining.lines.quotients import Plane
+from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign
+from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.expression.tree import (
+    Apply,
     Binary,
+    Degrees,
     Expression,
     Name,
+    Negate,
     Number,
     Pair,
     Quantity,
@@ -26,18 +29,85 @@ _ZERO = Number(Fraction(0))
 
 
 def hits(arrangement: Arrangement, relation: Meets, events: int) -> Relation | None:
-    """What it says of a sphere that it will hit a wall along **i** or **j**, or that it will not.
+    """What it says of a sphere that it will hit a wall, or that it will not.
 
     It moves towards the wall; and between two ends its path comes to the line of the wall between
     them. None where the places do not make plain on which side it is, or where a wall with ends is
-    concerned and it is open whether it moves towards that.
+    concerned and it is open whether it moves towards that. With places the wall is along **i** or
+    **j**.
     """
     ahead = _Ahead.of(arrangement, relation, events)
     if ahead is None:
-        return None
+        return _towards_an_unplaced_wall(arrangement, relation, events)
     if not isinstance(ahead.wall.shape, Segment):
         return None if ahead.is_nearing else ahead.towards(relation.happens)
     return ahead.between(relation.happens) if ahead.is_nearing else None
+
+
+def _towards_an_unplaced_wall(
+    arrangement: Arrangement, relation: Meets, events: int
+) -> Relation | None:
+    """That a component is towards a straight wall without a place, or is not.
+
+    Such a wall lies ahead of the sphere as that moves at the start. None where this is open, where
+    places tell more, or where a sphere has struck the wall before.
+    """
+    names = [relation.first.name, relation.second.name]
+    walls = [name for name in names if name in arrangement.walls]
+    if relation.again or len(walls) != 1:
+        return None
+    (body,) = (name for name in names if name not in walls)
+    wall = arrangement.walls[walls[0]]
+    along = arrangement.along_of(wall)
+    if isinstance(wall.shape, Circle) or wall.shape.is_placed or along is None:
+        return None
+    if any(wall.name in event.bodies for event in arrangement.events[:events]):
+        return None
+    axis = _across(arrangement, along)
+    if axis is None:
+        return None
+    side = _side_at_the_start(arrangement, body, axis)
+    if side is None:
+        return None
+    sign: Sign = ">" if relation.happens else "<="
+    if isinstance(axis, Negate) and isinstance(axis.operand, Unit):
+        axis, side = axis.operand, -side
+    if side < 0:
+        axis, sign = (axis, FLIPPED[sign]) if isinstance(axis, Unit) else (opposite(axis), sign)
+    velocity = Quantity("velocity", (Name(body),), arrangement.latest([body], events))
+    return Relation(((Link(Quantity("along", (velocity, axis)), sign, _ZERO),),))
+
+
+def _across(arrangement: Arrangement, along: Expression) -> Expression | None:
+    """A direction perpendicular to a straight wall; of one told by its angle by sine and cosine."""
+    if not arrangement.world().is_angle(along):
+        return turned(along)
+    i, j = Unit("i"), Unit("j")
+    match along:
+        case Degrees(value) if value % 180 in (45, 135):
+            return Binary("-" if value % 180 == 45 else "+", i, j)
+        case Degrees(value) if 90 < value < 180:
+            acute = Degrees(180 - value)
+            return Binary(
+                "+",
+                Binary("*", Apply("sin", acute), i),
+                Binary("*", Apply("cos", acute), j),
+            )
+    sine, cosine = Apply("sin", along), Apply("cos", along)
+    return Binary("-", Binary("*", sine, i), Binary("*", cosine, j))
+
+
+def _side_at_the_start(arrangement: Arrangement, body: str, axis: Expression) -> int | None:
+    """1 where a sphere first moves in the direction of an axis, −1 against it; None if open."""
+    given, world = arrangement.sphere(body).velocity, arrangement.world()
+    try:
+        velocity = world.value(given) if isinstance(given, Expression) else None
+        direction = world.direction(axis)
+        if direction is None or not isinstance(velocity, Plane):
+            return None
+        return arrangement.sign_in(world, dot(world, velocity, direction))
+    except NotComparableError:
+        return None
 
 
 class _Ahead:

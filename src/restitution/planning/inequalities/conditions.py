@@ -41,6 +41,7 @@ from restitution.expression.tree import (
 from restitution.planning.angles.deflections import scalar_product
 from restitution.planning.axes.offsets import sine_of, write_sine
 from restitution.planning.closing.squares_apart import squares_apart
+from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.angles_bounded import Bounded, write_bounded
 from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
@@ -52,6 +53,7 @@ from restitution.planning.inequalities.given_products import (
     write_given_product,
 )
 from restitution.planning.inequalities.multiplied_out import multiplied_out
+from restitution.planning.inequalities.oblique_components import is_oblique
 from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
 from restitution.planning.inequalities.squares import (
     both_squared,
@@ -402,7 +404,7 @@ class Conditions:
 
     def _of_velocities(self, angle: Quantity) -> Product | None:
         """The scalar product of two velocities."""
-        pair = _velocities_of(angle)
+        pair = velocities_of(self.scene, angle)
         if pair is None:
             return None
         for body, stage in pair:
@@ -450,6 +452,8 @@ class Conditions:
         for side in (link.left, link.right):
             for node in walk(side):
                 match node:
+                    case Quantity("along") if is_oblique(self.scene, node):
+                        refs.append(self.worths.quantity(node))
                     case Quantity("along" | "across" | "dot"):
                         for velocity in node.arguments:
                             refs += self._components_of(velocity)
@@ -667,22 +671,6 @@ class Conditions:
         line = collected(self.worths, line, sign, x, solved)
         after = self.judge.write((Move("rearrange"),), [line, *self.worths.known_in(x)], relation)
         return line if after is None else after
-
-
-def _velocities_of(angle: Quantity) -> tuple[tuple[str, int], tuple[str, int]] | None:
-    """The two velocities between which an angle is: of each the body and the event."""
-    match angle:
-        case Quantity("deflection", (Name(body),), int(stage)):
-            return (body, stage - 1), (body, stage)
-        case Quantity(
-            "angle",
-            (
-                Quantity("velocity", (Name(one),), int(first)),
-                Quantity("velocity", (Name(other),), int(second)),
-            ),
-        ):
-            return (one, first), (other, second)
-    return None
 
 
 def _is_a_sense(fact: Fact) -> bool:
