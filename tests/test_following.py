@@ -791,3 +791,36 @@ def test_a_fact_of_a_letter_that_nothing_needs_is_no_fault() -> None:
     explanation = explain(solve(problem), check=True)
     assert explanation.followed
     assert "It is also given that tan α = 2, which is not needed here." in str(explanation)
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        # |u| of a velocity given by its size and an angle is that size, with no sin² + cos².
+        (
+            "wall V: along i\nwall W: along j\nsphere P: mass m, velocity 3u at alpha to V\n"
+            "P hits V: e = 3/5\nP hits W: e = 3/4\nfind angle(velocity(P), velocity(P, 0))"
+        ),
+        # (2 + √3)√(8√3 − 13) = √(5 + 4√3)
+        (
+            "wall W: along 30°\nsphere P: mass 2, velocity -4i + 2j\nP hits W\n"
+            "given energy_lost = 2\nfind e, deflection(P)"
+        ),
+        # v² = −1 is no multiple of another equation that has no solution either.
+        (
+            "sphere A: mass 3, velocity 5 at alpha\nsphere B: mass 2, at rest\n"
+            "A hits B: along 3i + 4j\ngiven tan(alpha) = 1/2, speed(A) = 2\nfind e, impulse"
+        ),
+        (
+            "wall W: along j\nsphere P: mass 0.5, velocity 5 at alpha to W\nP hits W\n"
+            "given tan(alpha) = 3/4, speed(P) = 3\nfind e"
+        ),
+        # β = α and tan α = e tan α say nothing of the size of α.
+        (
+            "wall W: along i\nsphere P: mass m, velocity 2u at alpha to W\nP hits W\n"
+            "given tan(alpha) = 1/2, deflection(P) = 2 angle(velocity(P), W)\nfind e"
+        ),
+    ],
+)
+def test_workings_of_which_each_line_is_followed(statement: str) -> None:
+    assert explain(solve(parse(statement)), check=True).followed

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
 from functools import partial
+from itertools import permutations
 
-from restitution.explaining.lines.derivation import Derivation, Fact, Meaning, Ref
+from restitution.explaining.lines.derivation import Derivation, Fact, Meaning, Ref, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Apply, Letter, has_quantity, letters
 
@@ -79,8 +80,32 @@ def is_of_open_data(fact: Fact, derivation: Derivation) -> bool:
     if fact.part is not None:
         ends = (end.line for end in derivation.items if end.part == fact.part)
         among = set().union(*(lines_under(derivation, line) for line in ends))
-    valued = set(first_lines_of_letters(derivation, among))
-    return not any(map(has_quantity, trees)) and not any(valued & letters(tree) for tree in trees)
+    if any(map(has_quantity, trees)):
+        return False
+    names = frozenset[str]().union(*map(letters, trees))
+    valued = names & first_lines_of_letters(derivation, among).keys()
+    return not any(name in _valued_without(derivation, among, name) for name in valued)
+
+
+def _valued_without(
+    derivation: Derivation, among: AbstractSet[Ref] | None, name: str
+) -> frozenset[str]:
+    """The letters of which lines say the value without that of a letter: *β = α* tells neither."""
+    sides = [
+        (side.name, letters(other))
+        for line in derivation.lines
+        if (among is None or line.number in among) and isinstance(line.relation, Relation)
+        for links in line.relation.options
+        for one, other in permutations((links[0].left, links[-1].right))
+        if isinstance(side := one.argument if isinstance(one, Apply) else one, Letter)
+    ]
+    known: set[str] = set()
+    while True:
+        open_ = {name, *derivation.meanings} - known
+        more = {own for own, others in sides if own not in known and not others & open_}
+        if not more:
+            return frozenset(known)
+        known |= more
 
 
 def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:

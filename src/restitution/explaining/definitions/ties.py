@@ -254,7 +254,7 @@ def between_directions(step: Step, event: Event | None) -> Iterator[Link]:
                 if by_offset is not None:
                     yield Link(Apply("sin", angle), "=", by_offset.sine)
                 p, q = (_pointing(step, tree) for tree in (a, b))
-                sizes = Binary("*", Apply("abs", p), Apply("abs", q))
+                sizes = Binary("*", *(_size_of(step, side) for side in (p, q)))
                 cosine = Binary("/", Quantity("dot", (p, q)), sizes)
                 yield Link(Apply("cos", angle), "=", cosine)
                 yield from _by_product_and_speeds(step, angle, a, b)
@@ -283,11 +283,20 @@ def _by_product_and_speeds(
     if len(speeds) < 2 or (product is None and not any(speed in wholes for speed in speeds)):
         return
     sizes = [
-        wholes.get(speed, Apply("abs", tree))
+        wholes.get(speed, _size_of(step, tree))
         for speed, tree in zip(speeds, velocities, strict=True)
     ]
     dot = Quantity("dot", (one, other)) if product is None else wholes[product]
     yield Link(Apply("cos", angle), "=", Binary("/", dot, Binary("*", *sizes)))
+
+
+def _size_of(step: Step, vector: Expression) -> Expression:
+    """The size of a vector; of a velocity that is cited by its size and an angle, that size."""
+    for link in step.links:
+        match link:
+            case Link(left, "=", Polar(size)) if left == vector:
+                return Apply("abs", size)
+    return Apply("abs", vector)
 
 
 def _pointing(step: Step, tree: Expression) -> Expression:

@@ -75,6 +75,8 @@ class Roots(Generators):
                 outside = outside * self._positive(factor) ** (times // 2)
             if times % 2 and self._is_plainly_positive(factor):
                 plain = self._denested(factor)
+                if plain is None:
+                    plain = self._by_another(factor)
                 outside = outside * (self._root_generator(factor) if plain is None else plain)
             elif times % 2:
                 rest = rest * factor

@@ -234,10 +234,16 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
     apart = set(world.keys(a)) ^ set(world.keys(b))
     for silent in (roots, roots | apart) if apart else (roots,):
         lead_a, lead_b = _lead(a, silent), _lead(b, silent)
+        if silent != roots and (lead_a, lead_b) == (a, b) and not _have_common(a, b):
+            continue  # any two are each other times the ratio of all their terms
         if world.reduced(Quotient(product(a, lead_b) - product(b, lead_a), a.ring.one)).vanishes:
             above, below = without_common(lead_a * expected.below, lead_b * line.below)
             return Quotient(above, below)
     return None
+
+
+def _have_common(a: PolyElement, b: PolyElement) -> bool:
+    return is_without(without_common(a, b)[1], b)
 
 
 def _ratio_with_a_divisor(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
