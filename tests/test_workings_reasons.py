@@ -95,10 +95,10 @@ find maximum of energy_lost over m, minimum of energy_lost over m, maximum of en
             "(3 + 2√3)e > 3√3 − 3, as 3 − 2e > 0",
         ],
     ),
-    # tan δ ≤ tan 30° needs that δ is between 0° and 30°.
+    # tan β ≤ tan 75°, as β is from 0° to 75°.
     "a given bound of an angle is the end of its range": (
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
-        ["β − 45° ≤ 30°", "β ≤ 75°", "tan β ≤ 2 + √3, as 0° ≤ β ≤ 90°"],
+        ["β − 45° ≤ 30°", "β ≤ 75°", "tan β ≤ 2 + √3"],
     ),
     # The gap closes if 0 > 2(9 − 2k)u/(9(3 + k)).
     "a sum by which an inequality is multiplied is positive": (
@@ -258,10 +258,15 @@ show angle(velocity(P), W) <= alpha
         REST.format(angle="45°", m="2m", e="") + "show speed(A) >= 1/2 sqrt(2) u",
         ["speed of A ≥ ½√2 u, as (√2(1 − 2e)u/6)² ≥ 0"],
     ),
-    # tan δ = (1 + e)/(3 − e) is at most 1/√3: √3(1 + e) ≤ 3 − e.
+    # tan δ = 3(1 + e)/(11 − 9e) is at most 1/√3: 3√3(1 + e) ≤ 11 − 9e.
     "terms are collected before a sum with roots divides": (
-        REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
-        ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3√3 − 3, as 3 − e > 0", "e ≤ 2√3 − 3"],
+        REST.format(angle="alpha", m="m", e="")
+        + "given tan(alpha) = 1/3, deflection(A) <= 30°\nfind range of e",
+        [
+            "3(1 + e)/(11 − 9e) ≤ √3/3",
+            "(9 + 9√3)e ≤ 11√3 − 9, as 11 − 9e > 0",
+            "e ≤ (21 − 10√3)/9",
+        ],
     ),
     "at right angles to who moves along the line there is no component": (
         REST.format(angle="45°", m="2m", e="")

@@ -180,7 +180,7 @@ def is_certain(step: Step, relation: Relation) -> bool:
     """Whether what is cited proves a relation: of inverse tangents first by the tangents."""
     if speaks_of_an_angle(step, relation) and between_ratios(step, relation):
         return True
-    if is_bounded_cotangent(step, relation):
+    if is_bounded_cotangent(step, relation) or _is_tangent_of_a_bound(step, relation):
         return True
     proofs = [by_oracle, between_tangents]
     if any(
@@ -235,6 +235,32 @@ def between_tangents(step: Step, relation: Relation) -> bool:
         else:
             return False
     return positive
+
+
+def _is_tangent_of_a_bound(step: Step, relation: Relation) -> bool:
+    """Whether a tangent is bounded by that of a bound below 90° of an angle from 0°, as tan β ≤
+    2 + √3 where β ≤ 75°. For a least value the angle is at most 90° as well.
+    """
+    named: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
+    bounds = [own for other in step.links for own in (other, turned(other))]
+    for links in relation.options:
+        for link in links:
+            if not is_function(link.left, "tan") or link.sign not in FLIPPED:
+                return False
+            angle = named.get(link.left.argument, link.left.argument)
+            role = step.setting.of_angle(angle)
+            if role is None or role.low != 0 or role.high not in (sp.pi / 2, sp.pi):
+                return False
+            if link.sign[0] == ">" and role.high != sp.pi / 2:
+                return False
+            if not any(
+                named.get(own.left, own.left) == angle
+                and own.sign == link.sign
+                and _is_tangent_below_90(step, own.right, link.right)
+                for own in bounds
+            ):
+                return False
+    return len(relation.options) == 1
 
 
 def _is_acute_or_has_a_negative_tangent(role: Role) -> bool:

@@ -335,12 +335,13 @@ class Eliminated(InStages):
         return self._joined(written, relation, mark)
 
     def _divides_by_an_end(self, line: int, relation: Relation) -> bool:
-        """Whether a letter that is to be shown not to be zero stands below a fraction in a line."""
+        """Whether a letter that is to be shown not to be zero is divided by in a line."""
         right = self.scene.desk.last_link(line).right
         if has_quantity(right):
             return False
         below = sp.fraction(one_fraction(sp.sympify(self.scene.scalar(right), strict=True)))[1]
-        names = {symbol.name for symbol in below.free_symbols}
+        factors = (part.as_base_exp()[0] for part in sp.Mul.make_args(factored(below)))
+        names = {part.name for part in factors if part.is_Symbol}
         return any(
             link.sign == "<"
             and is_zero(link.left)
