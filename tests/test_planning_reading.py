@@ -313,7 +313,7 @@ READINGS = [
     (VECTORS, "Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact."),
     (VECTORS, "Let 𝐧 = (3𝐢 + 4𝐣)/5 be the unit vector along the line of centres"),
     (VECTORS, "𝐮_A · 𝐧 = (3 × 7 + 4)/5 = 5 m s⁻¹"),
-    (SPEED, "component of A stays −2u sin 60° = −√3 u."),
+    (SPEED, "component of A to the left, looking from A to B, stays −2u sin 60° = −√3 u."),
     (WALLS, "Let 𝐯₁ be the velocity of P after the first impact."),
     (WALLS, "Let 𝐯₂ be the velocity of P after the second impact."),
     (SLANTING, "tan β = √5/√5 = 1"),

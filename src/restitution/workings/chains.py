@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     has_quantity,
     has_root,
     has_unit_vector,
+    is_function,
     is_quantity,
     is_zero,
     letters,
@@ -251,6 +252,9 @@ class Chains:
             for n in range(2, len(trees))
             if self._figures.with_calculator and angles[n - 1] and angles[n] - angles[n - 1]
         ]
+        # Squares that a calculator adds have other last figures than those that are printed.
+        squares = {n for n in in_figures if n > 1 and is_function(trees[n], "sqrt")}
+        joined += [sides[n] for n in squares - {len(links)}]
         signs = [
             "≈" if link.sign == "=" and in_figures & {n, n - 1} - {0} else sign_of(link)
             for n, link in enumerate(links, 1)
@@ -650,8 +654,9 @@ class Chains:
                         if four is not None and four not in (side, sides[-1]):
                             sides.append(four)
                             signs.append(sign)
-                    if vector:
+                    if vector and not self._decimals.keeps_fractions(right):
                         sides[-1] = side  # nobody writes a vector twice
+                    if vector:
                         continue
                     sides.append(side)
                     signs.append(sign)

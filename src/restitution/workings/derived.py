@@ -68,7 +68,7 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.senses_of_walls import in_senses_of_walls
 from restitution.workings.naming.sources import Sources
 from restitution.workings.naming.sums_in_degrees import FIGURES_OF_ANSWERS, degrees_of, is_inverse
-from restitution.workings.noted import Notes
+from restitution.workings.noted import Notes, cases_of
 from restitution.workings.reasons.possible_roots import cases_together
 from restitution.workings.reasons.premises import Reasons
 from restitution.workings.reasons.pythagoras import is_arithmetic
@@ -263,7 +263,7 @@ class _Writer:
             yield from self._ratios(line)
             yield from self._vectors_of_event(line, bool(lets))
             if not waiting and self.carried.gather(resolved_with(shown[index:])):
-                self.afresh()
+                self.rows.afresh()
             if lets and not before_their_line(lets, shown[index:]):
                 yield from self._letters(lets)
                 lets = []
@@ -474,6 +474,10 @@ class _Writer:
                 asides = (*last.asides, *REQUIRED) if shown else last.asides
                 last = replace(last, points=points, asides=asides, answer=not shown, label=label)
                 step = Step("result", (*rows, last), sentences=(sentence,), item=item)
+            elif cases := cases_of(note):
+                cells = [Row((lay.Words(case),), ()) for case in cases]
+                rows = [replace(cells[0], points=points, label=label), *cells[1:]]
+                step = Step("result", tuple(rows), sentences=(sentence,), item=item)
             else:
                 step = Step("note", sentences=(sentence,), points=points, item=item, label=label)
             # What the note names is introduced before it.

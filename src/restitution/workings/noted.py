@@ -163,6 +163,9 @@ class Notes:
             return say("note.unbounded", extreme=extreme, reason=first.reason)
         if first.kind == "unwritten" and first.claim is not None:
             return say("note.unwritten-line-from" if first.premises else "note.unwritten-line")
+        if cases_of(first):
+            name = "note.unwritten-cases-from" if first.premises else "note.unwritten-cases"
+            return say(name, item=self._in_words(first))
         if first.kind == "unwritten":
             name = "note.unwritten-from" if first.premises else "note.unwritten"
             return say(name, item=self._in_words(first), answer=first.reason)
@@ -454,3 +457,9 @@ def _bounded(relation: Relation, bounded: Collection[Expression]) -> tuple[Expre
     while last + 1 < len(links) and (not own or links[last + 1].left == links[last].right):
         last += 1
     return links[first].left, links[last].right
+
+
+def cases_of(note: Note) -> tuple[str, ...]:
+    """The forms of an answer whose steps are not written out, each with its condition."""
+    cases = tuple(note.reason.split("; "))
+    return cases if note.kind == "unwritten" and note.claim is None and len(cases) > 1 else ()

@@ -499,10 +499,11 @@ class _Awarding:
                 else:
                     method = line
         # Of two bounds that are joined the second is the same method once more.
-        for line in marked:
+        for line in (own for own in marked if own.move.id == "compare"):
             first, *others = earning_under(self, line, points) or (line.number,)
-            for other in others if line.move.id == "compare" else ():
-                if "A" in points[first] and points[other] == ("M",):
+            for other in others:
+                alike = self.lines[first].move.id == self.lines[other].move.id
+                if alike and "A" in points[first] and points[other] == ("M",):
                     points[other] = ("A",)
         return points
 

@@ -284,6 +284,10 @@ def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
         stages = (event.number - 1, event.number)
         before, after = (Quantity("energy", (), stage) for stage in stages)
         yield Link(Binary("-", before, after), "=", lost)
+        if len(spheres) == len(step.setting.spheres) and step.setting.quantity(before) in cited:
+            left = [_kinetic(step, late, body, event.number, event, cited) for body in spheres]
+            rest = Binary("-", before, total_of(left))
+            yield Link(Quantity("energy_lost", (), event.number), "=", rest)
     if len(step.setting.spheres) == 1:
         # The energy of all is that of the one body.
         own = tuple(

@@ -6,14 +6,14 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Apply, Binary, Letter, Name, Quantity
+from restitution.expression.tree import Apply, Binary, Letter, Name, Quantity, has_quantity
 from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import (
     in_the_plane,
     known_vector,
     velocity_source,
 )
-from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.writing.scene import Scene
@@ -31,7 +31,8 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
     axis = next((n for n in (0, 1) if early[1 - n].value == 0 != early[n].value), None)
     if axis is None:
         return None
-    known = scene.desk.known(Quantity("velocity", (Name(body),), event))
+    velocity = Quantity("velocity", (Name(body),), event)
+    known = scene.desk.known(velocity) or _given(scene, velocity)
     if event not in scene.model.frames:
         blown = known_vector(scene, body, event) or velocity_source(scene, body, event)
         late, rest = blown.value, blown.whole
@@ -63,6 +64,16 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
         return None
     line = ratio_line(scene, move, refs, subject, right, value)
     return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
+
+
+def _given(scene: Scene, velocity: Quantity) -> Source | None:
+    """A velocity that is given as a vector without unknowns; None of another."""
+    for equation in scene.given:
+        link = equation.link
+        if link.left == velocity and link.sign == "=" and not has_quantity(link.right):
+            value = scene.value(link.right)
+            return None if scene.unknown(value) else Source(value, equation.refs)
+    return None
 
 
 def _is_certain(scene: Scene, aside: sp.Expr, ahead: sp.Expr) -> bool:

@@ -87,7 +87,7 @@ from restitution.planning.formulas.named_angles import (
     ratio_line,
     tangent_line,
 )
-from restitution.planning.formulas.standing_vectors import stand_as_vectors
+from restitution.planning.formulas.standing_vectors import stand_as_vectors, stand_beside_the_line
 from restitution.planning.formulas.turns import turns_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
@@ -399,7 +399,7 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
         return square
     pair = [body_and_stage(scene, argument) for argument in asked.arguments]
     in_numbers = all(is_vector_in_numbers(scene, body) for body, _ in pair)
-    in_numbers |= stand_as_vectors(scene, pair)
+    in_numbers |= stand_as_vectors(scene, pair) or stand_beside_the_line(scene, pair)
     if in_numbers and wanted != "cos" and _is_along_the_line(scene, asked, pair):
         in_numbers = False  # its angle to the line of centres is that of the other one
     turned = _by_turn(scene, asked, wanted) if wanted != "cos" and not in_numbers else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, TypeAlias
@@ -10,7 +10,6 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref, numbers_in
 from restitution.expression.tree import (
     Binary,
@@ -22,6 +21,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_zero,
+    negated,
     walk,
 )
 from restitution.planning.formulas.components_of_data import before_a_wall, by_its_angle
@@ -30,7 +30,6 @@ from restitution.planning.formulas.given_values import given_energy
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.standing_vectors import change_as_vectors
 from restitution.planning.formulas.velocity_formulas import (
-    body_and_stage,
     known_speed,
     known_vector,
     parts,
@@ -50,7 +49,6 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded
-from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Arrival
 
@@ -152,68 +150,6 @@ def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
     if not bodies and len(scene.model.story.spheres) == 1:
         return _known_energy(scene, stage, *scene.model.story.spheres)  # that of all is its own
     return None
-
-
-def speed_by_its_energy(scene: Scene, speed: Quantity) -> int | None:
-    """A speed by the line of its kinetic energy; None without one, or where that gains nothing.
-
-    It is none where the speed is a line, and where a body has one component alone, or a root is
-    left.
-    """
-    body, stage = body_and_stage(scene, speed)
-    if stage not in scene.model.frames or known_speed(scene, body, stage):
-        return None
-    known, record = scene.desk.known(Quantity("energy", (Name(body),), stage)), "energy"
-    if known is None and tuple(scene.model.story.spheres) == (body,):
-        known, record = scene.desk.known(Quantity("energy", (), stage)), "total"
-    if known is None or any(part.value == 0 for part in parts(scene, body, stage)):
-        return None
-    return _speed_of_energy(scene, body, stage, known, record)
-
-
-def speed_by_given_energy(scene: Scene, speed: Quantity) -> int | None:
-    """A speed by its kinetic energy, which is given; None where that is not so."""
-    body, stage = body_and_stage(scene, speed)
-    if stage not in scene.model.frames or known_speed(scene, body, stage):
-        return None
-    energy = Quantity("energy", (Name(body),), stage)
-    for equation in scene.given:
-        if (
-            equation.link.left == energy
-            and equation.link.sign == "="
-            and not has_quantity(equation.link.right)
-        ):
-            known = Source(scene.scalar(equation.link.right), equation.refs)
-            if not scene.unknown(scene.mass(body).value):
-                return _speed_of_energy(scene, body, stage, known, "energy")
-    return None
-
-
-def _speed_of_energy(scene: Scene, body: str, stage: int, known: Source, record: str) -> int | None:
-    """The lines of a speed by a kinetic energy: its square, and the root of that."""
-    mass = scene.mass(body)
-    squared = tidy(2 * known.value / mass.value)
-    value, more = scene.put(squared)
-    size = tidy(sp.sqrt(tidy(value)))
-    plain = size.is_rational_function() or tidy(value).is_Rational
-    if scene.unknown(value) or size.has(sp.Add) or not plain:
-        return None
-    own = Quantity("speed", (Name(body),), stage)
-    define = Move("define", record, stage, (body,) if record == "energy" else ())
-    relation = chain(square(own), (tree_of(squared), None))
-    pool = together(known.refs, mass.refs)
-    line = scene.judge.write((define,), pool, relation, shown="inline" if more else "line")
-    if line is not None and more:
-        relation = chain(square(own), (tree_of(tidy(value)), None))
-        line = scene.judge.write((Move("put"),), (line, *more), relation)
-    if line is None:
-        return None
-    names = symbol_names(squared)
-    root = chain(own, (tree_of(size), None))
-    line = scene.judge.write((Move("rearrange"),), (line, *background(scene, names)), root, (line,))
-    if line is not None:
-        scene.desk.know(own, size, (line,))
-    return line
 
 
 def _known_value(scene: Scene, tree: Expression) -> Source | None:
@@ -578,6 +514,7 @@ def _lost_by_squares(
     terms: list[Expression] = []
     values: list[Any] = []
     refs: list[Ref] = []
+    after: list[tuple[Expression, tuple[Ref, ...]]] = []
     bodies = tuple(scene.spheres(event))
     for body in bodies:
         mass = scene.mass(body)
@@ -586,11 +523,34 @@ def _lost_by_squares(
             return None
         terms.append(difference(*(half(tree_of(mass.value), speed[0]) for speed in (early, late))))
         values.append(mass.value * (early[1] - late[1]) / 2)
-        own = () if tidy(expanded(values[-1])) == 0 else mass.refs  # of nothing no mass is needed
-        refs += [*own, *early[2], *late[2]]
+        needed = () if tidy(expanded(values[-1])) == 0 else mass.refs  # of nothing no mass
+        refs += [*needed, *early[2], *late[2]]
+        after.append((half(tree_of(mass.value), late[0]), together(mass.refs, late[2])))
     move = Move("define", "energy-lost", event, bodies)
     value = tidy(expanded(sum(values)))
-    return Formula(move, itself, quantity, total(terms), value, together(refs))
+    own = Formula(move, itself, quantity, total(terms), value, together(refs))
+    return _with_energy_before(scene, own, after) or own
+
+
+def _with_energy_before(
+    scene: Scene, own: Formula, after: Sequence[tuple[Expression, tuple[Ref, ...]]]
+) -> Formula | None:
+    """What two spheres lose, where a line has their energy before, and ``after`` is that after.
+
+    Each term of that comes with what says it. None where there is no such line.
+    """
+    event = own.move.event
+    assert event is not None
+    if len(after) < _PAIR or len(after) < len(scene.model.story.spheres):
+        return None
+    known = _known_energy(scene, event - 1)
+    if known is None:
+        return None
+    terms = [tree for tree, _ in after if not is_zero(tree)]
+    right = total([tree_of(known.value), *map(negated, terms)])
+    refs = together(known.refs, *(refs for _, refs in after))
+    shorter = replace(own, right=right, refs=refs)
+    return shorter if _follows(scene, shorter) else None
 
 
 def _follows(scene: Scene, own: Formula) -> bool:

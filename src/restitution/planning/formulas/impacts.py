@@ -102,11 +102,11 @@ def _worked_out(scene: Scene, body: str, frame: Frame, source: Source) -> Source
     """A component of the data by a cosine in numbers, in a line: both laws use what it comes to."""
     quantity = frame.component("along", body, 0)
     own = neat(scene.initial(body).value.dot(frame.direction("along")))
-    number = scene.desk.write(
-        Move("define", "component", frame.number, (body,)),
-        source.whole,
-        chain(quantity, (tree_of(own), None), (tree_of(source.value), "define")),
-    )
+    relation = chain(quantity, (tree_of(own), None), (tree_of(source.value), "define"))
+    if own == source.value and source.form is not None:
+        relation = chain(quantity, (source.form, None), (tree_of(own), "rearrange"))
+    move = Move("define", "component", frame.number, (body,))
+    number = scene.desk.write(move, source.whole, relation)
     return scene.desk.know(quantity, source.value, (number,))
 
 

@@ -304,7 +304,7 @@ def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
     whole, length = whole_direction(vector.value)
     parts = [value for value in vector.value if value != 0]
     factor: sp.Expr = sp.Integer(1)
-    if length != 1 and not all((2 * sp.sympify(part, strict=True)).is_Integer for part in parts):
+    if length != 1 and not all(map(_is_plain_number, parts)):
         # A factor that both components have stands before the root.
         parts, factor = list(whole), tidy(value / length)
     root = Apply("sqrt", total(square(tree_of(part)) for part in parts))
@@ -312,6 +312,11 @@ def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
     if len(parts) == 1 and sp.sympify(parts[0], strict=True).is_number:
         tree = tree_of(value)
     return Formula(move, itself, quantity, tree, value, vector.refs)
+
+
+def _is_plain_number(value: Any) -> bool:
+    """Whether a value is a number of at most two decimals: it is squared as it stands."""
+    return bool((100 * sp.sympify(value, strict=True)).is_Integer)
 
 
 def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:

@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.formulas.energy_formulas import speed_by_given_energy
+from restitution.planning.formulas.speeds_by_energies import speed_by_given_energy
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
     known_speed,

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Relation
-from restitution.expression.tree import Name, Polar, Quantity
+from restitution.expression.tree import COMPONENTS, Name, Polar, Quantity
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.writing.desk import Source
 from restitution.planning.writing.polynomials import expanded
@@ -30,6 +30,38 @@ def stand_as_vectors(scene: Scene, pair: Iterable[Moving]) -> bool:
     dot = tidy(expanded(a.dot(b)))
     squares = tidy(expanded(a.dot(a))) * tidy(expanded(b.dot(b)))
     return bool(dot) and bool(tidy(dot**2 / squares).is_Rational)
+
+
+def stand_beside_the_line(scene: Scene, pair: Sequence[Moving]) -> bool:
+    """Whether two velocities stand as vectors of which the cosine between them is plain.
+
+    They do so beside a slanting line of centres, of which a component would have to be found.
+    """
+    event = max(stage for _, stage in pair)
+    vectors = [_standing(scene, *state) for state in pair]
+    if event not in scene.model.frames or not scene.frame(event).is_slanted:
+        return False
+    a, b = vectors
+    if a is None or b is None:
+        return False
+    frame = scene.frame(event)
+    components = [frame.component(kind, body, event) for kind in COMPONENTS for body, _ in pair]
+    if not any(_is_new(scene, component) for component in components):
+        return False
+    squares = tidy(expanded(a.dot(a))) * tidy(expanded(b.dot(b)))
+    if squares == 0:
+        return False
+    squared = tidy(expanded(a.dot(b)) ** 2 / squares)
+    return bool(squared) and bool(squared.is_Rational)
+
+
+def _is_new(scene: Scene, component: Quantity) -> bool:
+    """Whether no line has a component, or the item at hand is the first that needs it."""
+    known = scene.desk.known(component)
+    if known is None:
+        return True
+    refs = (*known.refs, *scene.put(known.value)[1])
+    return any(scene.desk.line(ref).item == scene.desk.item for ref in refs if isinstance(ref, int))
 
 
 def stand_at_right_angles(scene: Scene, pair: Iterable[Moving]) -> bool:
@@ -105,4 +137,9 @@ def _powers(vector: Vector) -> set[sp.Pow]:
     return {power for part in parts for power in part.atoms(sp.Pow)}
 
 
-__all__ = ["change_as_vectors", "stand_as_vectors", "stand_at_right_angles"]
+__all__ = [
+    "change_as_vectors",
+    "stand_as_vectors",
+    "stand_at_right_angles",
+    "stand_beside_the_line",
+]

@@ -147,6 +147,9 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
     bound = _bound(relation.only[0], whole.left)
     if bound is None:
         return None
+    by_a_square = _by_a_square(claims, line, relation)
+    if by_a_square is not None:
+        return by_a_square
     sign, other = bound
     value, most = (scene_value(scene, tree) for tree in (whole.right, other))
     mark = worths.mark()
@@ -183,6 +186,27 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
             return last
     worths.back(mark)
     return None
+
+
+def _by_a_square(claims: Comparing, line: int, relation: Relation) -> int | None:
+    """The least value of a speed by its components, of which one may come to nothing.
+
+    None of a bound that is not the square of the other one.
+    """
+    scene, desk = claims.scene, claims.scene.desk
+    first, *further = desk.relation(line).only
+    bound = _bound(relation.only[0], first.left) if len(relation.only) == 1 else None
+    if not further or bound is None or bound[0][0] != ">" or not is_function(first.right, "sqrt"):
+        return None
+    if not is_left(claims.worths, first.right, scene_value(scene, bound[1])):
+        return None
+    mark = claims.worths.mark()
+    equation = equality(square(first.left), first.right.argument)
+    squared = claims.judge.write((Move("rearrange"),), [line], equation)
+    last = None if squared is None else claims.judge.write((Move("sign"),), [squared], relation)
+    if last is None:
+        claims.worths.back(mark)
+    return last
 
 
 def write_given_gap(claims: Comparing, line: int, relation: Relation) -> int | None:

@@ -27,11 +27,12 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    has_quantity,
 )
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.writing.candidates import Candidate
-from restitution.planning.writing.circles import chord_from, from_centre
+from restitution.planning.writing.circles import chord_from, circle_of, from_centre
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     ONE,
@@ -43,8 +44,9 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.place_trees import place_tree
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
-from restitution.problem import Arrival
+from restitution.problem import Arrival, Event, Impact
 from restitution.records import dataclass
+from restitution.vector import Vector
 
 
 @dataclass(frozen=True)
@@ -55,20 +57,23 @@ class Round:
     body: str
     hits: tuple[int, int]
     candidate: Candidate
+    place: Ref
+    """What says where the third chord ends."""
 
 
 def rounds(scene: Scene) -> Iterator[Round]:
     """The ways round a circular wall that close, and in which something unknown stands."""
     for number in range(3, scene.events + 1):
         step = scene.model.happening(number).step
-        if not isinstance(step, Arrival):
+        end = _end(scene, number, step)
+        if end is None:
             continue
-        body = step.body
+        body, place, ref = end
         own = [n for n in range(1, number) if body in scene.bodies(n)]
         if len(own) != 2 or [chord_from(scene, body, n) for n in own] != [0, own[0]]:
             continue
-        start, end = (scene.value(place_tree(body, stage)) for stage in (0, number))
-        if not all(map(scene.model.identically_zero, end - start)):
+        start = scene.value(place_tree(body, 0))
+        if not all(map(scene.model.identically_zero, place - start)):
             continue
         first, second = own
         radius_vector, velocity = from_centre(scene, first, start), scene.velocity(body, 0)
@@ -77,7 +82,22 @@ def rounds(scene: Scene) -> Iterator[Round]:
         residual = tidy(t**2 * (1 + e + e * f) - e**2 * f)
         if scene.unknown(residual):
             candidate = Candidate(f"round {number}", 3.0, (residual,))
-            yield Round(number, body, (first, second), candidate)
+            yield Round(number, body, (first, second), candidate, ref)
+
+
+def _end(scene: Scene, number: int, step: Event) -> tuple[str, Vector, Ref] | None:
+    """Who comes to which place at an event, where the statement tells that, and what says so."""
+    if isinstance(step, Arrival):
+        return step.body, scene.value(place_tree(step.body, number)), f"contact {number}"
+    if not isinstance(step, Impact) or circle_of(scene, number) is None:
+        return None
+    for equation in scene.given:
+        link = equation.link
+        if link.left == Quantity("position", (Name(step.first),), number) and link.sign == "=":
+            if has_quantity(link.right) or scene.unknown(scene.value(link.right)):
+                return None
+            return step.first, scene.value(link.right), equation.fact.id
+    return None
 
 
 def write_round(scene: Scene, own: Round) -> int:
@@ -86,7 +106,7 @@ def write_round(scene: Scene, own: Round) -> int:
     ends = [(0, first), (first, first), (second, second)]
     angles: list[Letter] = []
     tangents: dict[Expression, tuple[sp.Expr, int]] = {}
-    premises: list[Ref] = [f"contact {n}" for n in (*own.hits, own.number)]
+    premises: list[Ref] = [*(f"contact {n}" for n in own.hits), own.place]
     premises.append(f"position {own.body}")
     meanings: list[Ref] = []
     pool: list[Ref] = []

@@ -27,6 +27,7 @@ from restitution.planning.writing.forms import difference, tree_of
 from restitution.planning.writing.place_trees import AXES, Axis, duration_tree, time_tree
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Item, Show, Value
+from restitution.solving.story.letters import roles
 
 
 def steady_axis(scene: Scene, body: str, number: int, first: int = 0) -> Axis | None:
@@ -84,7 +85,9 @@ def time_at_one_pace(
     paces = [velocity(scene, body, stage, axis) for stage in (since, *between)]
     pace = paces[-1]
     distance = tidy(last.value - first.value)
-    if scene.unknown(pace.value) or scene.unknown(distance) or distance == 0:
+    # A letter of the question that is sought may stand in the pace: the time is given for it.
+    open_ = {symbol.name for symbol in scene.unknown(pace.value)} - roles(scene.problem).keys()
+    if open_ or scene.unknown(distance) or distance == 0:
         return None
     tree = time_quotient(scene, last.value, first.value, pace.value)
     value = tidy(distance / pace.value)

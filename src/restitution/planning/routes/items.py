@@ -54,12 +54,13 @@ from restitution.planning.closing.squared_ratios import (
     write_by_squares,
 )
 from restitution.planning.formulas.definitions import Formula, write_formula
-from restitution.planning.formulas.energy_formulas import loss_by_given_speeds, speed_by_its_energy
+from restitution.planning.formulas.energy_formulas import loss_by_given_speeds
 from restitution.planning.formulas.fractions_lost import share_by_given_speed
 from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.next_walls import speed_kept
 from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.formulas.shares_left import speed_by_a_fact
+from restitution.planning.formulas.speeds_by_energies import speed_by_its_energy
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.aimed_velocities import write_by_its_way
 from restitution.planning.routes.closed_before import write_from_above

@@ -28,7 +28,7 @@ from restitution.solving.equations.coefficients import COEFFICIENTS
 def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The same working, in which a quotient is multiplied by the conjugate of what is below.
 
-    A coefficient that cannot be is seen from the quotient, and ends with that.
+    A coefficient that cannot be is seen from the quotient, and has its short form at once.
     """
     lines = list(derivation.lines)
     read = None
@@ -37,8 +37,6 @@ def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
         if not isinstance(line.relation, Relation) or len(line.relation.options) > 1:
             continue
         if line.number in impossible:
-            links = tuple(_up_to_a_quotient(line.relation.only))
-            lines[index] = replace(line, relation=Relation((links,)))
             continue
         links = tuple(_longer(line.relation.only))
         if len(links) > len(line.relation.only):
@@ -58,14 +56,6 @@ def _impossible_coefficients(derivation: Derivation) -> set[int]:
         for number in note.lines
         if number not in cited
     }
-
-
-def _up_to_a_quotient(links: tuple[Link, ...]) -> Iterator[Link]:
-    """The links of a chain up to the first quotient that would be multiplied by a conjugate."""
-    for link in links:
-        if _multiplied(link) is not None:
-            return
-        yield link
 
 
 def _longer(links: tuple[Link, ...]) -> Iterator[Link]:

@@ -286,13 +286,15 @@ class _Gathering:
         """The lines of each item by the events that they need, each after what it rests on."""
         needs: dict[int, int] = {}
         latest: dict[Hashable, int] = {}
+        ratios = {line.number for line in lines if self._is_for_components(line)}
         for line in lines:
             place = self._place(line)
             below = [needs.get(ref, 0) for ref in line.premises if isinstance(ref, int)]
             own = self._event(line)
             stays = line.move.id in ("define", "answer", "fact") and line.move.record != "assemble"
             if own is None and (stays or not below):
-                own = latest.get(place, 0)  # what speaks of no impact stays where it is
+                # What speaks of no impact stays where it is.
+                own = 0 if line.number in ratios else latest.get(place, 0)
             needs[line.number] = max([own or 0, *below])
             latest[place] = max(latest.get(place, 0), needs[line.number])
         last = len(self._items)
@@ -302,6 +304,11 @@ class _Gathering:
             return self._items.get(line.item or "", last), case, needs[line.number]
 
         return sorted(lines, key=key) if self._is_sorted_by_items(lines) else list(lines)
+
+    def _is_for_components(self, line: Line) -> bool:
+        """Whether ratios of an angle of the data are only put into components of velocities."""
+        users = [own for own in self._derivation.lines if line.number in own.premises]
+        return line.move.id == "triangle" and all(map(_is_a_component_put_in, users))
 
     def _is_sorted_by_items(self, lines: Sequence[Line]) -> bool:
         """Whether the items, and their cases, stand in order already, as they do but for ties."""
@@ -399,6 +406,17 @@ class _Gathering:
         match line.relation:
             case Meaning(quantity=Quantity("along", (Quantity("velocity", _, int(stage)), _))):
                 return stage
+            case Relation(
+                (
+                    (
+                        Link(
+                            Quantity("along" | "across", (Quantity("velocity", _, int(stage)), _))
+                        ),
+                        *_,
+                    ),
+                )
+            ) if line.move.id == "put":
+                return stage or None
         if line.move.id in ("law", "define") and line.move.record in _OF_AN_IMPACT:
             return line.move.event
         return None

@@ -7,6 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import Degrees, Expression, Name, Negate, Polar, Unit, negated
 from restitution.problem import Problem
 from restitution.render import layout as lay
@@ -48,11 +49,11 @@ def _sense_at_a_wall(scene: Scene, body: str, velocity: Polar) -> Sentence | Non
     if isinstance(across, Negate):
         across, towards = across.operand, not towards
     assert isinstance(across, Unit)
-    against, manner = isinstance(along, Negate), "axes" if taken else "axes.told"
+    ways, sides = _TAKEN if taken else _TOLD
     return say(
-        f"{manner}.towards" if towards else f"{manner}.away",
+        sides[towards],
         along=lay.Bold(wall.along.axis),
-        sense=say(f"{manner}.against" if against else f"{manner}.with"),
+        sense=say(ways[isinstance(along, Negate)]),
         across=lay.Bold(across.axis),
         body=body,
         wall=wall.name,
@@ -60,6 +61,10 @@ def _sense_at_a_wall(scene: Scene, body: str, velocity: Polar) -> Sentence | Non
 
 
 _RIGHT = 90
+# In which of two senses a sphere moves, and on which side an axis is, as taken and as told.
+_Words = tuple[tuple[SentenceId, SentenceId], tuple[SentenceId, SentenceId]]
+_TAKEN: _Words = ("axes.with", "axes.against"), ("axes.away", "axes.towards")
+_TOLD: _Words = ("axes.told.with", "axes.told.against"), ("axes.told.away", "axes.told.towards")
 
 
 def _left(axis: Expression) -> Expression:

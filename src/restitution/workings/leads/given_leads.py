@@ -338,6 +338,9 @@ class GivenLeads(Leads):
     ) -> tuple[Sentence, ...] | None:
         """An angle by its cosine or its tangent, with the body that moves along one line."""
         record = line.move.record
+        if record == "round":
+            chords = self._round_by_one_angle(line) or say("round.three")
+            return (say("given.and", fact=sentence), chords)
         if record == "scalar-angle" and (lead := self._cosine_told(line, fact)):
             return lead
         if record not in ("tan", "tan-direction"):

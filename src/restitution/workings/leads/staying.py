@@ -19,6 +19,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
+from restitution.render.text import to_text
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
@@ -179,6 +180,12 @@ class Staying:
             if axis is None:
                 return say("unchanged-wall.component", value=value)
             return say("unchanged-wall.component-in", value=value, axis=axis)
+        whole = [v.operands[-1] if isinstance(v, lay.Relation) else v for _, v in values]
+        # A sign needs a sense.
+        left = axis is None and any(to_text(v).startswith("−") for v in whole)
+        if left and not others:
+            first, second = event.bodies
+            return say("derived.stays-left", of=body, value=value, first=first, second=second)
         if not others:
             if axis is None:
                 return say("derived.stays", of=body, value=value)
@@ -186,6 +193,10 @@ class Staying:
         components = [say("unchanged.component", value=v, body=b) for b, v in values]
         if all(own == value for _, own in others):
             components = [say("unchanged.each", value=value)]
+        if left:
+            first, second = event.bodies
+            slots = {"first": first, "second": second}
+            return say("unchanged.components-left", components=components, **slots)
         if axis is None:
             return say("unchanged.components", components=components)
         return say("unchanged.components-in", components=components, axis=axis)

@@ -6,8 +6,9 @@ from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Link
 from restitution.explaining.lines.trees import exchanged, rebuilt, trees_of
-from restitution.expression.tree import Binary, Expression, Number, unsigned, walk
+from restitution.expression.tree import Binary, Expression, Number, letters, unsigned, walk
 from restitution.render import layout as lay
+from restitution.render.text import to_text
 from restitution.workings.naming.measured import as_decimal
 from restitution.workings.naming.row_sides import is_vector_of_short_decimals
 
@@ -29,6 +30,8 @@ class PrintedDecimals:
             for value in _fractions(tree)
         }
         self._printed: set[Fraction] = set()
+        # Those that rows have as fractions: 11/5.
+        self._as_fractions: set[Fraction] = set()
         # Vectors that stand as decimals: there a typed fraction is one as well.
         self._vectors: dict[Expression, Expression] = {}
 
@@ -44,6 +47,10 @@ class PrintedDecimals:
             self._note(trees[-1])
         return own
 
+    def keeps_fractions(self, tree: Expression) -> bool:
+        """Whether a vector has a fraction that stands above as one, or below a vector of such."""
+        return bool(self._as_fractions.intersection(map(abs, _fractions(tree))))
+
     def note(self, link: Link, tree: Expression, side: lay.Layout, sign: str) -> None:
         """Notes the components of a vector, or a number, that a row has as decimals now."""
         match side:
@@ -55,6 +62,9 @@ class PrintedDecimals:
             self._note(link.right)
             if vector:
                 self._vectors[link.right] = rebuilt(link.right, as_decimal)
+        elif sign == "=" and "." not in to_text(side) and not letters(link.right):
+            own = unsigned(link.right)
+            self._as_fractions |= {abs(value) for value in _fractions(own) if value.denominator > 2}
 
     def _note(self, tree: Expression) -> None:
         self._printed |= {abs(value) for value in _fractions(tree)} - self._typed

@@ -34,7 +34,7 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
             # What letters stand for is said in one paragraph.
             last = replace(last, sentences=(*last.sentences, *step.sentences))
             continue
-        wordless = step.rows and not step.title and not step.sentences
+        wordless = step.rows and not (step.title or step.sentences or step.source)
         alone = not (step.marks or _goes_on(step, after))
         joins = last is not None and (step.item == last.item or alone)
         if last is not None and last.rows and wordless and joins:

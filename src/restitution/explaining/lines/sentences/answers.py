@@ -81,6 +81,8 @@ SENTENCES: Mapping[str, str] = {
     "note.unwritten-line": "The working of this is not written out:",
     "note.unwritten-line-from": "The steps from here are not written out:",
     "note.unwritten-from": "{item:capital} is {answer}. The steps from here are not written out.",
+    "note.unwritten-cases": "The working of this is not written out. {item:capital} is:",
+    "note.unwritten-cases-from": "The steps from here are not written out. {item:capital} is:",
     "note.none-shown": "It cannot be shown that {items}, as {reason}.",
     "note.none-of-it": "No value of {letter} is possible, as shown above.",
     "note.none-shown-either": ("That {items} cannot be shown either, as there is no such impact."),

@@ -190,5 +190,8 @@ SENTENCES: Mapping[str, str] = {
         "Newton's experimental law gives; across it neither velocity has changed."
     ),
     "derived.stays": "the component of {of} stays {value}.",
+    "derived.stays-left": (
+        "the component of {of} to the left, looking from {first} to {second}, stays {value}."
+    ),
     "derived.stays-in": "the component of {of} in the direction of {axis} stays {value}.",
 }

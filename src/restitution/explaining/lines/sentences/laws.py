@@ -37,6 +37,9 @@ SENTENCES: Mapping[str, str] = {
     ),
     "unchanged.title": "Perpendicular to the line of centres the velocities do not change",
     "unchanged.components": "the components stay {components:and}.",
+    "unchanged.components-left": (
+        "the components to the left, looking from {first} to {second}, stay {components:and}."
+    ),
     "unchanged.components-in": ("the components in the direction of {axis} stay {components:and}."),
     "unchanged.component": "{value} for {body}",
     "unchanged.each": "{value} for each",

@@ -51,11 +51,15 @@ SENTENCES: Mapping[str, str] = {
         "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
         "subtend 360°, so their three angles make 90°"
     ),
+    "round.three": (
+        "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
+        "subtend 360°, so their three angles make 90°:"
+    ),
     "round.same": (
-        "As each impact is perfectly elastic, it leaves the angle with the radius as it was. So "
-        "all three chords make the same angle with the radii at their ends: {angle}, that of the "
-        "first chord with the radius at the start. Each subtends {span} at the centre, and the "
-        "three subtend 360°:"
+        "As the impacts between are perfectly elastic, they leave the angle with the radius as it "
+        "was. So all three chords make the same angle with the radii at their ends: {angle}, that "
+        "of the first chord with the radius at the start. Each subtends {span} at the centre, and "
+        "the three subtend 360°:"
     ),
     "round.why": (
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "
