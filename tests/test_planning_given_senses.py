@@ -103,6 +103,68 @@ find range of e
 """,
         ("v₂ < 0", "½ < e ≤ 1"),
     ),
+    "back, against its own velocity along an axis": (
+        """
+sphere P: mass m, velocity 3u i
+sphere Q: mass 2m, velocity -2u i
+P hits Q: along i
+given velocity(Q) opposite to velocity(Q, 0)
+find range of e
+""",
+        ("Q moves in the direction of 𝐢, so w > 0", "5e − 1 > 0", "e > ⅕"),
+    ),
+    "the size of a component that is known to be negative": (
+        """
+sphere P: mass m, velocity 4u i
+sphere Q: mass 3m, at rest
+wall W: along j
+P hits Q: along i
+part a
+given velocity(P) opposite to i
+find range of e
+part b
+given velocity(P) opposite to i, e < 1
+Q hits W
+show speed(Q) > speed(P)
+""",
+        (
+            "speed of P = (3e − 1)u, as e > ⅓",
+            "speed of Q − speed of P = (1 + e)eu − (3e − 1)u = (1 − e)²u",
+            "speed of Q > speed of P, as e < 1",
+        ),
+    ),
+    "multiples of speeds whose components may have either sign": (
+        """
+sphere P: mass m, velocity 4u i
+sphere Q: mass k m, at rest
+P hits Q: along i, e = 1/3
+given speed(P) < 1/3 speed(Q)
+find range of k
+""",
+        (
+            "(4(3 − k)u/(3(1 + k)))² < (1/9)(16u/(3(1 + k)))²",
+            "(3k − 13)(3k − 5) < 0",
+            "5/3 < k < 13/3",
+        ),
+    ),
+    "an angle by a bound of the coefficient that is at most 1": (
+        """
+sphere P: mass m, velocity 2u at alpha
+sphere Q: mass 3m, velocity -u i
+P hits Q: along i
+given velocity(Q) opposite to velocity(Q, 0)
+part a
+show e > (3 - 2 cos(alpha))/(1 + 2 cos(alpha))
+part b
+unknown e
+find range of alpha
+""",
+        (
+            "(3 − 2 cos α)/(1 + 2 cos α) < 1, as e ≤ 1",
+            "cos α > ½",
+            "0° < α < 60°, as α is acute",
+        ),
+    ),
 }
 
 

@@ -561,10 +561,26 @@ class FactsOf(Arrangement):
             self._direction(self.settled(side, events), events)
             for side in (relation.left, relation.right)
         )
+        b = self._axis_of(b) or b
         if isinstance(b, Negate) and isinstance(b.operand, Unit):
             b, sign = b.operand, ">" if sign == "<" else "<"
         left = Quantity("along" if isinstance(b, Unit) else "dot", (a, b))
         return Link(left, sign, Number(Fraction(0)))
+
+    def _axis_of(self, tree: Expression) -> Expression | None:
+        """**i** or **j**, or the opposite, where a velocity of the data is in that direction."""
+        match tree:
+            case Quantity("velocity", (Name(body),), 0):
+                velocity = self.sphere(body).velocity
+            case _:
+                return None
+        world = self.world()
+        value = world.value(velocity) if isinstance(velocity, Expression) else None
+        if not isinstance(value, Plane) or value.x.vanishes == value.y.vanishes:
+            return None
+        axis = Unit("i" if value.y.vanishes else "j")
+        side = self.sign_in(world, value.x if value.y.vanishes else value.y)
+        return None if side is None else axis if side > 0 else Negate(axis)
 
     def _separation(
         self, first: Expression, second: Expression, happens: bool, events: int

@@ -38,7 +38,11 @@ from restitution.planning.formulas.changed_velocities import by_change_along
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import blown, in_direction
 from restitution.planning.formulas.named_angles import letter_known
-from restitution.planning.formulas.speeds_in_sums import is_in_a_sum, of_one_component
+from restitution.planning.formulas.speeds_of_one_component import (
+    is_in_a_sum,
+    of_given_sign,
+    of_one_component,
+)
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     difference,
@@ -387,6 +391,10 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
             one = of_one_component(scene, move, quantity, base, refs)
             if one is not None:
                 return Formula(move, itself, quantity, base, without_bars(scene.model, size), one)
+        case Binary("^", base, _) if (
+            signed := of_given_sign(scene, move, quantity, base, refs)
+        ) is not None:
+            return Formula(move, itself, quantity, *signed)
         case Binary("^", base, _) if quantity in scene.asked_alone and size.has(sp.Abs):
             bars = Apply("abs", base)  # which way it goes is open
             if scene.judge.follows(move, refs, chain(quantity, (bars, None))):

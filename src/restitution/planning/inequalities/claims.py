@@ -45,6 +45,7 @@ from restitution.planning.inequalities.signs_of_components import write_by_compo
 from restitution.planning.inequalities.standing_bounds import write_by_a_standing_bound
 from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_a_sum
 from restitution.planning.inequalities.turned_at_walls import write_turn
+from restitution.planning.inequalities.two_values import write_difference_of_two
 from restitution.planning.inequalities.wide_angles import write_by_a_product, write_by_cosine
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ONE, tree_of
@@ -111,6 +112,9 @@ class Claims(Eliminated):
                 line = self.monotone(number, relation) if line is None else line
                 if line is not None:
                     return line
+            by_difference = write_difference_of_two(self, lines, relation)
+            if by_difference is not None:
+                return by_difference
             if len(lines) != 1 or is_plain(self.scene, lines[0], relation):
                 line = self.compared(base, relation)
                 if line is not None:

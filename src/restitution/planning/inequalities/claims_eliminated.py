@@ -30,6 +30,7 @@ from restitution.expression.tree import (
 from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
+from restitution.planning.inequalities.letters_between import write_beyond_a_coefficient
 from restitution.planning.inequalities.standard_conditions import in_factors
 from restitution.planning.inequalities.turned_at_walls import tangent_of
 from restitution.planning.routes.order import Standing
@@ -55,7 +56,9 @@ class Eliminated(InStages):
                 line = self.monotone(lines[0], relation, bounds) if len(lines) == 1 else None
                 if line is not None and bounds:
                     return line
-            return self.compared([*base, *self.conditions.lines(wanted)], relation, base)
+            own = [*base, *self.conditions.lines(wanted)]
+            beyond = write_beyond_a_coefficient(self, own, relation)
+            return beyond or self.compared(own, relation, base)
 
         def by_what_is_shown(base: list[Ref], relation: Relation) -> int | None:
             shown = [self.ties.shown_by(equation.fact.id) for equation in self.scene.given]

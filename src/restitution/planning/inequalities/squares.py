@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import sympy as sp
 
@@ -32,7 +33,16 @@ from restitution.expression.tree import (
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.square_roots import as_square
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.forms import ZERO, difference, square, swept, total, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    is_rational,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.inequalities import solve_linear, without_signs
 from restitution.planning.writing.polynomials import (
     cancelled,
@@ -56,7 +66,9 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
     lines: list[Ref] = []
     trees: list[Expression] = []
     rooted = needed = False
-    for side in (worths.opened(link.left), worths.opened(link.right)):
+    for whole in (worths.opened(link.left), worths.opened(link.right)):
+        factor, side = _multiple_of_speed(worths, whole)
+        times = partial(product, tree_of(factor**2)) if factor != 1 else swept
         match side:
             case Quantity("speed", _, int()) if not worths.is_data(side):
                 if worths.scene.desk.known(side) is not None:
@@ -66,7 +78,7 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                 above = _standing_square(worths, side)
                 if above is not None:
                     lines.append(above)
-                    trees.append(worths.scene.desk.relation(above).only[-1].right)
+                    trees.append(times(worths.scene.desk.relation(above).only[-1].right))
                     rooted = needed = True
                     continue
                 own = formula(worths.scene, side)
@@ -81,7 +93,7 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                     worths.back(mark)
                     return None
                 lines.append(line)
-                trees.append(radicand if root else square(radicand))
+                trees.append(times(radicand if root else square(radicand)))
                 rooted |= root
             case _ if not has_quantity(side):
                 trees.append(tree_of(tidy(worths.scene.scalar(side) ** 2)))
@@ -99,6 +111,16 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
     if solved is None:
         worths.back(mark)
     return solved
+
+
+def _multiple_of_speed(worths: Worths, tree: Expression) -> tuple[sp.Expr, Expression]:
+    """A speed with the positive number that stands before it, 1 of anything else."""
+    match tree:
+        case Binary("*", before, Quantity("speed") as speed) if is_rational(before):
+            return worths.value(before), speed
+        case Binary("/", Quantity("speed") as speed, below) if is_rational(below):
+            return 1 / worths.value(below), speed
+    return sp.Integer(1), tree
 
 
 def _is_size_of_one(worths: Worths, root: Expression) -> bool:

@@ -456,6 +456,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         lasting = [
             links for e in own for links in _values(e, {meaning.letter for meaning in still_open})
         ]
+        lasting = [links for links in lasting if links[0].sign == "="]  # a bound is no component
         parts = [links[0].left for links in lasting if not is_zero(links[-1].right)]
         # A component that is still a letter may be anything.
         known = {links[0].left for links in lasting}

@@ -177,6 +177,8 @@ class Reasons(PositiveReasons):
         )
         if ahead:
             return ahead
+        if bounds := tuple(self._bounds_of_a_speed(line)):
+            return (say("derived.as", reasons=bounds),)
         shares = tuple(map(self._layout, bounded_factors(self._derivation, line, self._roles)))
         if shares:
             return (say("derived.as", reasons=shares),)
@@ -184,6 +186,15 @@ class Reasons(PositiveReasons):
         if tangents is None:
             return None
         return (say("derived.as", reasons=(self._layout(tangents),)),)
+
+    def _bounds_of_a_speed(self, line: Line) -> Iterator[lay.Layout]:
+        """The bounds of letters by which one component has a sign, where a speed is its size."""
+        if line.move.record != "speed":
+            return
+        for own in self._derivation.lines_in(line.premises):
+            match own.relation:
+                case Relation(((Link(Letter(), "<" | "<=" | ">" | ">="),),)) as bound:
+                    yield self._layout(bound)
 
     def _is_reasoned(self, line: Line) -> bool:
         """Whether a line is one of those behind which a reason stands."""
