@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
+from workings import printed_with
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Relation
@@ -319,3 +320,53 @@ def test_a_direction_is_a_multiple_of_a_tangent_that_was_worked_out() -> None:
     # v = −⅓u cos α, so that tan β = −3 tan α.
     assert "tan(beta) = -u sin(alpha)/(1/3 u cos(alpha)) = -3tan(alpha) [rearrange]" in said
     assert "tan(beta) = -1" in said
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            """
+sphere A: mass 2m, velocity 3 at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+given tan(direction(A)) = 3
+find alpha
+""",
+            ("3 = 3 sin α/((3/2) cos α)", "tan α = 3/2", "α = arctan(3/2)"),
+        ),
+        (
+            """
+sphere A: mass 4m, velocity u at alpha
+sphere B: mass 4m, velocity 2u at 270° - alpha
+A hits B: along i, e = 3/4
+given tan(alpha) = 3/4
+find deflection(B)
+""",
+            ("tan β = (8u/5)/(11u/20) = 32/11", "180° − (90° − arctan(3/4)) − arctan(32/11)"),
+        ),
+    ],
+    ids=["the tangent of a direction that is given", "the complement of an angle with a ratio"],
+)
+def test_angles_are_worked_out_by_their_tangents(statement: str, lines: tuple[str, ...]) -> None:
+    printed_with(statement, lines)
+
+
+@pytest.mark.parametrize(
+    ("asked", "ends"),
+    [
+        ("sin(alpha)", ("sin α = ⅗",)),
+        ("cos(alpha)", ("cos α = ⅘",)),
+        ("sin(alpha), cos(alpha)", ("sin α = ⅗", "cos α = ⅘")),
+    ],
+)
+def test_a_ratio_that_is_asked_ends_its_lines(asked: str, ends: tuple[str, ...]) -> None:
+    """The other ratio stands there only if somebody needs it."""
+    wall = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 2/3
+given tan(angle(velocity(P), W)) = 1/2
+"""
+    text = printed_with(f"{wall}find {asked}\n", ("tan α = ¾", *ends))
+    assert text.count("α = ⅗") + text.count("α = ⅘") == len(ends)

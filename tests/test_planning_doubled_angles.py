@@ -31,6 +31,20 @@ find impulse
             "m(4u/15 + 3u/5) = 13mu/15",
         ),
     ),
+    "the supplement of twice an angle": (
+        """
+sphere A: mass m, velocity 2u at alpha
+sphere B: mass 3m, velocity 3u at 180° - 2 alpha
+A hits B: along i, e = 1/3
+given tan(alpha) = 1/2
+find velocity(A)
+""",
+        (
+            "cos 2α = cos²α − sin²α = (2√5/5)² − (√5/5)² = ⅗",
+            "m(4√5 u/5) − 3m(9u/5) = mv + 3mw",
+            "𝐯_A = −(9u/5)𝐢 + (2√5 u/5)𝐣",
+        ),
+    ),
     "a deflection less the angle before is the angle afterwards": (
         """
 wall W: along j

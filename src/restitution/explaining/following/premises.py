@@ -18,7 +18,7 @@ from restitution.explaining.lines.derivation import (
     citing,
 )
 from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
-from restitution.expression.tree import Apply, Letter, is_binary, letters, walk
+from restitution.expression.tree import Apply, Expression, Letter, is_binary, letters, walk
 from restitution.oracle import Oracle
 
 # What is below these has a sign that may have to be known.
@@ -125,13 +125,17 @@ def with_given_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 
 def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
-    """The same working, in which of a sine and a cosine that are found together none is idle."""
-    ends = {item.line for item in derivation.items}
+    """The same working, in which of a sine and a cosine that are found together none is idle.
+
+    Of what was asked for, the answer stays.
+    """
+    asked: dict[int, set[Expression]] = {}
+    for end in derivation.items:
+        asked.setdefault(end.line, set()).update(e[0].left for e in end.answer.options)
     for line in derivation.lines:
         own = line.relation
         if (
             line.move.id != "triangle"
-            or line.number in ends
             or not isinstance(own, Relation)
             or len(own.options) != 1
             or len(own.only) != 2
@@ -139,6 +143,8 @@ def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
             continue
         users = [other.number for other in derivation.lines if line.number in other.premises]
         for link in own.only:
+            if not asked.get(line.number, set()) <= {link.left}:
+                continue
             alone = replace(line, relation=Relation(((link,),)))
             lines = tuple(alone if other is line else other for other in derivation.lines)
             shorter = replace(derivation, lines=lines)

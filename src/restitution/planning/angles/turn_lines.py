@@ -268,9 +268,14 @@ def _in_numbers(
         value, more = scene.put(scene.scalar(side.angle))
         if not value.free_symbols:
             return tree_of(value, angle=True), together(own, more)
-        if isinstance(side.angle, Letter) and side.angle.name in scene.ratio_facts:
-            line = inverse_of_data(scene, side.angle.name)
-            return scene.desk.last_link(line).right, together(own, (line,))
+        match side.angle:
+            case Letter(name) if name in scene.ratio_facts:
+                line = inverse_of_data(scene, name)
+                return scene.desk.last_link(line).right, together(own, (line,))
+            case Binary("+" | "-", Degrees(), Letter(name)) if name in scene.ratio_facts:
+                line = inverse_of_data(scene, name)
+                whole = replace(side.angle, right=scene.desk.last_link(line).right)
+                return whole, together(own, (line,))
         return (side.angle, own) if letters_too else None
     ratio = tidy(side.across.value / side.along.value)
     if ratio.free_symbols and not letters_too:

@@ -234,6 +234,8 @@ def _of_an_angle(scene: Scene, given: GivenEquation) -> int | None:
                 value, refs = scene.put(scene.scalar(own.right))
                 return write_squared_tangent(scene, given, formula_, tree_of(value), refs)
             return _tangent(scene, given, formula_)
+        case Apply("tan", Quantity("direction", (Name(),)) as angle) if not has_quantity(own.right):
+            return _tangent(scene, given, formula(scene, angle))
         case Apply("sin" | "cos", Quantity("angle")) if not has_quantity(own.right):
             return write_by_tangent(scene, given, own.left)
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):

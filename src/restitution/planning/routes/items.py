@@ -18,6 +18,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     numbers_in,
+    whole_of,
 )
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -363,7 +364,8 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
     line = _line_of(scene, asked, known)
     relation = scene.desk.relation(line)
     if len(relation.options) == 1:
-        stands = relation.only[0].left == asked and {link.sign for link in relation.only} == {"="}
+        whole = whole_of(relation.only)
+        stands = whole is not None and (whole.left, whole.sign) == (asked, "=")
         right = relation.only[-1].right if stands else tree_of(known.value)
         relation = chain(asked, (right, None))
     scene.desk.end(name, line, relation)

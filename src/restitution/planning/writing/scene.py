@@ -652,8 +652,7 @@ class Scene:
 
     def _initial_of(self, body: str) -> Source:
         name = f"velocity {body}"
-        fact = self.facts[name]
-        (link,) = fact.relation.only
+        (link,) = self.facts[name].relation.only
         walls = [
             f"wall {node.name}"
             for node in walk(link.right)
@@ -665,12 +664,13 @@ class Scene:
         return Source(velocity, (name, *walls))
 
     def _by_multiple(self, polar: Polar, velocity: Vector) -> Vector:
-        """Components of a velocity at 2θ by the sine and cosine of that, as it is given."""
+        """Components of a velocity at 2θ, or 180° − 2θ, by the sine and cosine of 2θ, as given."""
         angle, size = (self.scalar(tree) for tree in (polar.angle, polar.size))
-        letters = angle.free_symbols
-        if len(letters) != 1 or angle in letters or not (angle / next(iter(letters))).is_Rational:
+        right_angles, multiple = angle.as_independent(*angle.free_symbols, as_Add=True)
+        count, letter = multiple.as_coeff_Mul()
+        if not letter.is_Symbol or abs(count) == 1 or not (2 * right_angles / sp.pi).is_Integer:
             return velocity
-        forms = [sign * size * f(angle) for f in (sp.cos, sp.sin) for sign in (1, -1)]
+        forms = [sign * size * f(multiple) for f in (sp.cos, sp.sin) for sign in (1, -1)]
 
         def of(component: sp.Expr) -> sp.Expr:
             for form in forms:
