@@ -47,6 +47,17 @@ def test_an_answer_has_its_values_put_in_before_it() -> None:
     assert "magnitude of the impulse ≈ 0.2(3 cos 40° + 1.963) ≈ 0.852 N s" in text
 
 
+def test_values_of_an_earlier_part_are_put_in_as_they_stand_there() -> None:
+    text = printed(
+        "sphere A: mass 0.45, velocity 6.2 at 33°\nsphere B: mass 0.3, velocity 2.6 at 180° - 58°\n"
+        "A hits B: along i, e = 0.54\npart a\nfind speed(A)\npart b\nfind impulse, energy_lost"
+    )
+    assert "v ≈ 1.148 m s⁻¹" in text
+    assert "w − 1.148 ≈ 3.552 w ≈ 4.700 m s⁻¹" in text
+    assert "0.45(6.2 cos 33° − 1.148)" in text
+    assert "½ × 0.45((6.2 cos 33°)² − 1.148²) + ½ × 0.3((2.6 cos 58°)² − 4.700²)" in text
+
+
 def test_the_half_of_an_energy_is_no_decimal() -> None:
     text = printed(
         "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\n"
@@ -515,7 +526,7 @@ def test_a_sum_in_a_letter_has_its_coefficients_in_figures() -> None:
         "wall W: along i\nwall V: along 75°\nsphere P: velocity 8 at -52°\nP hits W: e = e\n"
         "P hits V: e = 1/2\ngiven energy(P) = 1/4 energy(P, 0)\nfind e"
     )
-    assert "−2.379 + 0.8158e" in text  # −½(8 cos 52° sin 75° − 8e sin 52° cos 75°)
+    assert "0.8158e − 2.379" in text  # −½(8 cos 52° sin 75° − 8e sin 52° cos 75°)
     assert "2.359e² + 0.7277e − 0.5448 ≈ 0" in text
     assert "cos² 52°" not in text
 

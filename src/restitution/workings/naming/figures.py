@@ -400,7 +400,9 @@ class Figures:
         parts = {
             node: own
             for node in walk(tree)
-            if not (node == tree or letters(node) or is_binary(node, "+", "-"))
+            if not (node == tree or letters(node))
+            # A sum stands in figures where it is on paper with them.
+            and (node in self._known or not is_binary(node, "+", "-"))
             and (own := self.instead_of(node)) != node
         }
         put = exchanged(tree, parts)

@@ -33,9 +33,10 @@ def sum_in_figures(tree: Expression, figures: int) -> Expression | None:
     """A polynomial in letters with its coefficients to so many figures.
 
     The highest power stands first, or the constant in one of the first degree and where that
-    is the positive one. A number that all coefficients have stands before a bracket:
-    21.99(1 − e²). None of what has one term or more than four, of a quotient by letters, of
-    what stands as a product or a square of sums, and where a coefficient is very small or large.
+    is the positive one; no sum begins with a minus that has a term without. A number that all
+    coefficients have stands before a bracket: 21.99(1 − e²). None of what has one term or more
+    than four, of a quotient by letters, of what stands as a product or a square of sums, and
+    where a coefficient is very small or large.
     """
     if not letters(tree) or has_quantity(tree) or has_unit_vector(tree):
         return None
@@ -57,6 +58,8 @@ def sum_in_figures(tree: Expression, figures: int) -> Expression | None:
     ]
     if polynomial.total_degree() == 1 or polynomial.LC().evalf(_DIGITS) < 0:
         terms.reverse()
+    if terms[0][1].evalf(_DIGITS) < 0:
+        terms.sort(key=lambda term: bool(term[1].evalf(_DIGITS) < 0))
     number = terms[0][1]
     shares = [_short_fraction(own / number) for _, own in terms]
     if all(share is not None for share in shares):
