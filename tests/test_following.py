@@ -824,3 +824,18 @@ def test_a_fact_of_a_letter_that_nothing_needs_is_no_fault() -> None:
 )
 def test_workings_of_which_each_line_is_followed(statement: str) -> None:
     assert explain(solve(parse(statement)), check=True).followed
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "equal"),
+    [
+        ("abs(2 - 2/tan(40°))", "2/tan(40°) - 2", True),
+        ("abs(2 - 2/tan(40°))", "2 - 2/tan(40°)", False),
+        ("abs(sqrt(2) sin(25°) - cos(25°))", "cos(25°) - sqrt(2) sin(25°)", True),
+        ("abs(2 sin(35°) - 3 cos(20°))", "2 sin(35°) - 3 cos(20°)", False),
+    ],
+)
+def test_digits_tell_the_sign_of_a_number(left: str, right: str, equal: bool) -> None:
+    world = World({})
+    one, other = (world.scalar(read_tree(text, {})) for text in (left, right))
+    assert (one - other).vanishes == equal

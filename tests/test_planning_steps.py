@@ -834,3 +834,17 @@ find speed(P)
     assert "≈ 30.43° ≈ 30.4°" in working
     assert "8.884 sin 34.57°" in working
     assert "≈ 7.74 m s⁻¹" in working
+
+
+def test_squares_of_ratios_serve_each_of_two_solutions() -> None:
+    """No cosine with a root in a root is put in; the speed by its components stands above both."""
+    target = TARGET.format(velocity="u at alpha", mass="m")
+    given = "A hits B: along i, e = 1/{}\ngiven tan(deflection(A)) = {}\nfind alpha, {}\n"
+    _, speed = planned(target + given.format(2, "1/2", "speed(A)"))
+    working = said(speed)
+    assert working.count("speed(A, 1) = sqrt((1/4 u cos(alpha))^2 + (u sin(alpha))^2)") == 1
+    assert "= 2(5 - sqrt(5))/15" in "\n".join(working)
+    assert "cos(alpha) = 4" not in "\n".join(working)
+    # Of a loss of energy the square of the cosine is enough.
+    _, loss = planned(target + given.format(3, "2/5", "energy_lost"))
+    assert "sin^2(alpha)" not in "\n".join(said(loss))

@@ -25,6 +25,9 @@ from restitution.explaining.lines.quotients import (
     NotComparableError,
     Plane,
     Quotient,
+    factors_of,
+    one,
+    product,
 )
 from restitution.expression.quantities import ANGLES, is_vector_quantity
 from restitution.expression.tree import (
@@ -44,6 +47,7 @@ from restitution.expression.tree import (
     is_quantity,
 )
 from restitution.oracle.roles import REAL, Role
+from restitution.oracle.scaled import scaled_sign
 from restitution.records import dataclass
 
 
@@ -338,6 +342,34 @@ class World(Angles):
                 cosine, sine = self.cos_sin(self.turn(angle))
                 return self.scalar(size) * (cosine if kind == "along" else sine)
         return self.generator(("quantity", tree))
+
+    def root(self, x: Quotient) -> Quotient:
+        """The square root; of the square of a number, (cos 40° − sin 40°)², as that stands."""
+        inside = product(x.above, x.below)
+        is_number = bool(inside) and self._is_of_numbers(x)
+        if is_number and not any(times % 2 for _, times in factors_of(inside)[1]):
+            return self._root(inside) / self._size_of(x.below)
+        return super().root(x)
+
+    def _positive(self, factor: PolyElement) -> Quotient:
+        """The size of a factor; digits tell the sign of a number with sines of degrees."""
+        if self._is_of_numbers(Quotient(factor, one())):
+            sign = scaled_sign(self._expression(factor, {}), {})
+            if sign:
+                return Quotient(factor if sign > 0 else -factor, one())
+        return super()._positive(factor)
+
+    def _is_of_numbers(self, x: Quotient) -> bool:
+        return all(self._is_number(key) for key in self.keys(x.above, x.below).values())
+
+    def _is_number(self, key: Key) -> bool:
+        """Whether a generator is the root of a number, or a ratio of a number of degrees."""
+        match key:
+            case ("root", inside):
+                return all(self._is_number(own) for own in self.keys(inside).values())
+            case ("cos" | "sin", ((first, *_), _)):
+                return bool(first == ())
+        return False
 
     # --- back to SymPy ---------------------------------------------------------------------------
 

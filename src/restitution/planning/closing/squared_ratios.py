@@ -55,7 +55,7 @@ def write_by_squares(
     that a claim has for it.
     """
     kinds = {node.kind for node in quantities_in(asked)}
-    if not kinds <= {*KINDS} or scene.desk.known(asked) is not None or scene.others:
+    if not kinds <= {*KINDS} or scene.desk.known(asked) is not None:
         return None
     if not _is_last(scene):
         return None
@@ -132,8 +132,10 @@ def _write(
     premises = scene.judge.enough(own.move, own.refs, first, known)
     if premises is None:
         return None
-    number = scene.desk.write(own.move, premises, first, shown="inline")
-    refs = scene.judge.enough(Move("put"), (number, *lines), last, known)
+    # Of several solutions, all have it, above the lines in which they part.
+    number = scene.desk.write(own.move, premises, first, shown="line" if scene.others else "inline")
+    # A loss of energy may have the square of one of both alone.
+    refs = scene.judge.needed(Move("put"), (number, *lines, *known), last, (number,))
     if refs is None:
         return None
     number = scene.desk.write(Move("put"), refs, last)
