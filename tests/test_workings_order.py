@@ -306,3 +306,19 @@ def test_the_energy_of_all_is_that_of_the_one_who_moves() -> None:
         ),
     )
     assert text.count("½m(2² + 3²)") == 1
+
+
+def test_what_a_later_part_puts_in_stands_above_all_energies() -> None:
+    words = printed("""
+sphere A: mass 2m, velocity 2u i
+sphere B: mass m, velocity -3u i
+A hits B: along i
+part a
+find velocity(A)
+part b
+given e = 1/2
+find energy_lost/energy(0)
+""")
+    whole = words.index("total kinetic energy before the impact")
+    assert words.index("w = 2u") < whole < words.index("kinetic energy lost =")
+    assert words.count("Kinetic energy:") == 1

@@ -547,3 +547,57 @@ def test_an_impulse_comes_of_the_sphere_of_which_all_is_given(
     )
     assert f"magnitude of the impulse = {impulse}" in words
     assert values in words
+
+
+@pytest.mark.parametrize(
+    ("given", "lines"),
+    [
+        (
+            "impulse = 9, energy_lost = 6",
+            "6 = 24(1 − e²)(3/(4(1 + e)))² = 27(1 − e)/(2(1 + e)) 4 + 4e = 9 − 9e e = 5/13",
+        ),
+        ("impulse = 15, energy_lost = 45/4", "= 75(1 − e)/(2(1 + e))"),
+    ],
+)
+def test_a_factor_above_and_below_is_cancelled_before_there_is_a_second_root(
+    given: str, lines: str
+) -> None:
+    words = in_a_row(
+        "wall W: along j\nsphere S: mass 3, velocity 4 at beta to W\nS hits W\n"
+        f"given {given}\nfind e, beta"
+    )
+    assert lines in words
+    assert "e = −1" not in words
+
+
+@pytest.mark.parametrize(
+    ("masses", "given", "lines"),
+    [
+        (
+            ("3m", "2m"),
+            "energy(A) = 2 energy(B)",
+            ["mu²(49 cos²α + 225 sin²α)/150", "225 sin²α = 143 cos²α", "tan²α = 143/225"],
+        ),
+        # Beside an energy before the impact there is a number, and the sine alone is plainer.
+        (("3m", "2m"), "energy_lost(A) = 1/2 energy(A)", ["mu²(49 + 176 sin²α)/150"]),
+    ],
+)
+def test_energies_that_are_compared_keep_both_squares(
+    masses: tuple[str, str], given: str, lines: list[str]
+) -> None:
+    words = in_a_row(
+        f"sphere A: mass {masses[0]}, velocity u at alpha\nsphere B: mass {masses[1]}, at rest\n"
+        f"A hits B: along i, e = 1/3\ngiven {given}\nfind alpha"
+    )
+    for line in lines:
+        assert line in words
+
+
+def test_a_loss_that_an_earlier_part_shows_goes_into_a_ratio() -> None:
+    words = in_a_row(
+        "sphere P: mass 2m, velocity u at beta\nsphere Q: mass m, at rest\n"
+        "P hits Q: along i, e = 1/2\npart a\nshow energy_lost(P) = 3/4 m u^2 cos(beta)^2\n"
+        "part b\nfind energy(Q)/energy_lost(P)"
+    )
+    ratio = "(kinetic energy of Q after the impact)/(kinetic energy lost by P)"
+    assert f"{ratio} = ½mu² cos²β/(¾mu² cos²β) = ⅔" in words

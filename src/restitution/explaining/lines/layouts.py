@@ -66,7 +66,7 @@ def of_tree(
 
     def change(node: Expression) -> Expression | None:
         own = quantity_of(node) or node
-        name = names(own) if isinstance(own, Quantity) or _is_a_share(own) else None
+        name = names(own) if isinstance(own, Quantity) or _may_be_named(own) else None
         if name is None:
             return None
         called[f"q_{len(called)}"] = name
@@ -76,11 +76,13 @@ def of_tree(
     return _laid_out(plain, frozenset(vectors), tuple(called.items()))
 
 
-def _is_a_share(node: Expression) -> TypeGuard[Binary]:
-    """Whether a tree is a loss of energy over an energy."""
+def _may_be_named(node: Expression) -> TypeGuard[Binary]:
+    """Whether a tree is a loss of energy over an energy, or what one body loses of its energy."""
     match node:
         case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             return True
+        case Binary("-", Quantity("energy", (body,)), Quantity("energy", (other,))):
+            return body == other
     return False
 
 

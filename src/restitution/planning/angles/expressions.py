@@ -10,7 +10,14 @@ import sympy as sp
 
 from restitution.exact import plain_angle, tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Meaning, Move, Ref, numbers_in
+from restitution.explaining.lines.derivation import (
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
@@ -24,6 +31,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    has_quantity,
     is_binary,
     is_function,
     is_quantity,
@@ -44,7 +52,7 @@ from restitution.planning.formulas.separations import relative_speed, relative_v
 from restitution.planning.formulas.velocity_formulas import squared_speed, velocity_source
 from restitution.planning.journeys import distances, journeys
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
-from restitution.planning.writing.forms import outer_terms, square, swept, total, tree_of
+from restitution.planning.writing.forms import ONE, outer_terms, square, swept, total, tree_of
 from restitution.planning.writing.place_trees import is_duration
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.roots_below import in_shorter_form
@@ -88,8 +96,12 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     ranges: list[Ref] = []
-    sources = {node: _value_of(scene, node) for node in _in_order(asked)}
-    for node in _parts(asked):
+    for known_sum, (number, worth) in _standing_sums(scene, asked).items():
+        values[known_sum] = worth
+        refs.append(number)
+    rest = exchanged(asked, dict.fromkeys(values, ONE))
+    sources = {node: _value_of(scene, node) for node in _in_order(rest)}
+    for node in _parts(rest):
         source = sources[node]
         if source is None:
             continue
@@ -149,6 +161,26 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
             raise NotPlannedError("an expression of sines and cosines")
         return last, final
     return scene.desk.write(Move("put"), premises, whole), final
+
+
+def _standing_sums(scene: Scene, asked: Expression) -> dict[Expression, tuple[int, Expression]]:
+    """The sums of quantities in an expression of which lines in force say the values.
+
+    With each the line and the value: a loss that a part shows is not worked out again.
+    """
+    sums = {node for node in walk(asked) if is_binary(node, "+", "-") and has_quantity(node)}
+    standing: dict[Expression, tuple[int, Expression]] = {}
+    for line in scene.desk.lines if sums - {asked} else ():
+        match line.relation:
+            case Relation(((Link(left, "="), *_) as links,)) if left in sums and left != asked:
+                worth = links[-1].right
+                if scene.desk.holds(line.number) and not has_quantity(worth):
+                    standing[left] = line.number, worth
+    return {
+        own: source
+        for own, source in standing.items()
+        if not scene.unknown(scene.scalar(source[1]))
+    }
 
 
 def _is_of_one_line(scene: Scene, refs: Sequence[Ref]) -> bool:

@@ -27,6 +27,7 @@ from restitution.planning.writing.forms import ONE, product, square, swept, tota
 from restitution.planning.writing.polynomials import (
     cancelled,
     expanded,
+    factored,
     numerator,
     one_fraction,
     polynomial_in,
@@ -403,11 +404,8 @@ def _reduced(scene: Scene, line: int) -> int:
     sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
     if not all(side.is_rational_function() for side in sides):
         return line
-    plain = [cancelled(side) for side in sides]
-    if not any(
-        not sp.fraction(one_fraction(a))[1].is_number and sp.fraction(b)[1].is_number
-        for a, b in zip(sides, plain, strict=True)
-    ):
+    plain = [factored(cancelled(side)) for side in sides]
+    if not any(_degree_below(a) > _degree_below(b) for a, b in zip(sides, plain, strict=True)):
         return line
     relation = equality(tree_of(tidy(plain[0])), tree_of(tidy(plain[1])))
     for move in (Move("rearrange"), Move("cancel")):
@@ -415,6 +413,12 @@ def _reduced(scene: Scene, line: int) -> int:
         if written is not None:
             return written
     return line
+
+
+def _degree_below(value: sp.Expr) -> int:
+    """The degree of what stands below the line of a quotient in letters."""
+    below = sp.fraction(one_fraction(value))[1]
+    return 0 if below.is_number else int(sp.Poly(below, *below.free_symbols).total_degree())
 
 
 def _with(tree: Expression, subject: Expression, value: Expression) -> Expression:

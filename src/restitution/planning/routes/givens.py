@@ -56,6 +56,7 @@ from restitution.planning.formulas.separations import relative_speed
 from restitution.planning.formulas.ties import write_tie
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.given_places import write_given_place
+from restitution.planning.routes.energies_compared import energies_in_squares
 from restitution.planning.routes.given_energies import write_share_of_energy
 from restitution.planning.routes.given_times import write_time_since
 from restitution.planning.routes.open_tangents import is_of_open_sense, write_squared_tangent
@@ -608,6 +609,7 @@ def _of_several(scene: Scene, equation: GivenEquation) -> int:
         if number is not None:
             return number
     values, refs = write_tangents(scene, own)
+    squares_kept = energies_in_squares(scene, equation)
     for side in (exchanged(side, values) for side in (own.left, own.right)):
         for node in outermost(side):
             if place_trees.is_duration(node) and node not in values:
@@ -646,6 +648,10 @@ def _of_several(scene: Scene, equation: GivenEquation) -> int:
                 raise NotPlannedError(f"a relation with {node.kind}s")
             if node.kind in ENERGIES and not has_root(formula_.value):
                 # What an energy comes to is compared, and not how it is made.
+                if node in squares_kept:
+                    number, values[node] = squares_kept[node].write(scene)
+                    refs.append(number)
+                    continue
                 refs.append(write_formula(scene, formula_))
                 values[node] = tree_of(formula_.value)
                 continue

@@ -37,6 +37,8 @@ from restitution.expression.tree import (
 )
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
+_ENERGIES = frozenset({"energy", "total"})
+_LOSSES = frozenset({"energy-lost", "total-lost"})
 # So many lines stand between a letter and its use where it is introduced too early.
 _TOGETHER = 2
 # Lines that belong to the impact of which they speak, and go where its others are.
@@ -273,6 +275,9 @@ class _Gathering:
         for line in tuple(self._order):
             if line.move.id == "sign" and not any(isinstance(e, int) for e in line.premises):
                 self._lower_to_the_line_on_it(line)
+        for line in reversed(tuple(self._order)):
+            if line.move.record in _ENERGIES:
+                self._lower_to_the_energies(line)
         for line in tuple(self._order):
             if letter_of_offset(line) is not None:
                 self._raise_to_the_start(line)
@@ -492,6 +497,26 @@ class _Gathering:
         own = order[users[0]]
         if own.item == line.item and self._place(own) == self._place(line) and users[0] > at + 1:
             order.insert(users[0] - 1, order.pop(at))
+
+    def _lower_to_the_energies(self, line: Line) -> None:
+        """Puts an energy above the others that are worked out with it, below what these need.
+
+        So components that a later part puts in stand above all energies.
+        """
+        order, at = self._order, self._order.index(line)
+        users = [n for n, other in enumerate(order) if line.number in other.premises]
+        if line.number in self._ended or not users:
+            return
+
+        def is_beside(other: Line) -> bool:
+            return other.item == line.item and self._place(other) == self._place(line)
+
+        to = users[0]
+        own = _ENERGIES | _LOSSES
+        while to - 1 > at and order[to - 1].move.record in own and is_beside(order[to - 1]):
+            to -= 1
+        if to > at + 1 and is_beside(order[to]):
+            order.insert(to - 1, order.pop(at))
 
     def _raise_to_the_start(self, line: Line) -> None:
         """Puts a line that rests on data alone, and the letters in it, at the start of its item."""

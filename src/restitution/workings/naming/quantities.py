@@ -122,7 +122,7 @@ class Naming(Moments):
                 (impact,) = self.impacts
                 if not bodies or (impact.wall and bodies == (Name(impact.bodies[0]),)):
                     return operand(say("derived.fraction-lost"))
-        return self.name(tree)
+        return self._lost_by_one(tree) or self.name(tree)
 
     def _displacement(self, tree: Expression) -> lay.Layout | None:
         """How far a body comes along **i** or **j** from one event to another, in words."""
