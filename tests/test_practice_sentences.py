@@ -488,3 +488,75 @@ def test_a_letter_ends_a_formula() -> None:
     lines = "J = m1m2/(m1 + m2) (1 + e) w = 2/3 × 4/3 × 9 = 8"
     assert verdicts(PAIR + "impulse", lines) == ["true"]
     assert verdicts(PAIR + "impulse", lines.replace("8", "6")) == ["false"]
+
+
+# (3u, -4u) comes off as (3u, 9u/4): 9u² − 9u² = 0.
+TURNED = """wall W: along i
+sphere P: mass m, velocity u(3i - 4j)
+P hits W: e = 9/16
+show deflection(P) = 90°
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "dot product",
+        "so scalar product",
+        "the dot product of the velocities",
+        "velocity before . velocity after",
+        "initial velocity · final velocity",
+        "v before . v after",
+        "u.v",
+        "(3ui - 4uj).(3ui + 9u/4 j)",
+        "(3u, -4u) . (3u, 9u/4)",
+    ],
+)
+def test_a_scalar_product_in_words_that_is_zero_shows_a_right_angle(words: str) -> None:
+    found = marked(
+        TURNED,
+        "after: along W 3u, away from W 9u/4",
+        f"{words} = 9u² - 9u² = 0",
+        "so perpendicular, deflection = 90°",
+    )
+    assert [line["verdict"] for line in found["lines"][1:]] == ["true", "true"]
+    assert found["marks"]["points"][-1]["state"] == "earned"
+
+
+def test_a_scalar_product_that_is_not_zero_is_what_it_comes_to() -> None:
+    statement = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind deflection(P)"
+    lines = ["velocity before . velocity after = 9 - 8 = 1", "cos d = 1/(5 × √13)"]
+    assert verdicts(statement, *lines)[0] == "true"
+    assert verdicts(statement, "dot product of the velocities = 9 - 9 = 0") == ["false"]
+    assert verdicts(statement, "v.v = 9 + 4 = 13, v = √13") == ["true"]
+
+
+@pytest.mark.parametrize("behind", ["after the impact", "after", "m/s after the collision"])
+def test_a_moment_behind_a_value_is_of_its_label(behind: str) -> None:
+    statement = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind speed(P)"
+    assert verdicts(statement, f"perp: 4 × 0.5 = 2 {behind}") == ["true"]
+    assert verdicts(statement, f"perp: 4 {behind}") == ["false"]
+    assert verdicts(statement, "perp: 4 before the impact", f"parallel = 3 {behind}") == [
+        "true",
+        "true",
+    ]
+
+
+def test_a_printed_right_angle_by_complementary_angles_has_all_its_marks() -> None:
+    found = marked(
+        "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W: e = 1/4\n"
+        "given tan(theta) = 2\nshow deflection(P) = 90°\n",
+        "tan after = ¼ × 2 = ½",
+        "2 × ½ = 1 so the angles add to 90°",
+        "deflection = 90°",
+    )
+    assert found["marks"]["earned"] <= found["marks"]["of"]
+    whole = marked(
+        "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W: e = 1/4\n"
+        "given tan(theta) = 2\nshow deflection(P) = 90°\n",
+        "component along W = u cos θ, away from W = ¼u sin θ",
+        "tan β = (¼u sin θ)/(u cos θ) = ½, where β is the angle to W after",
+        "tan θ × tan β = 2 × ½ = 1",
+        "so θ + β = 90° i.e. deflection is 90°",
+    )
+    assert whole["marks"]["earned"] == whole["marks"]["of"]

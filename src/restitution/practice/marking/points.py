@@ -218,14 +218,24 @@ class _Examiner(SinglePoints):
                 )
 
     def _imply_what_stands_by_itself(self) -> None:
-        """A printed result that is earned shows each component that is said nowhere."""
+        """A printed result that is earned shows each component that is said nowhere.
+
+        So it does each value of the usual way, where there is no fault in another one.
+        """
+        faultless = not any(line.verdict in _UNSOUND for line in self.lines)
         for point in self.scheme.points:
             result = self.states[point.id]
             if not point.shown or result.state != "earned" or point.kind != "A1*":
                 continue
             for name in point.above:
                 state = self.states[name]
-                if state.point.letter == "B" and state.state == "lost" and state.line is None:
+                shown = state.point.letter == "B" or (
+                    faultless
+                    and state.point.letter == "A"
+                    and state.point.item is None
+                    and not state.point.equation
+                )
+                if shown and state.state == "lost" and state.line is None:
                     why = f"line {result.line} cannot be had without it"
                     self.states[name] = replace(
                         state, state="earned", line=result.line, why=why, implied=True

@@ -1,4 +1,4 @@
-"""Pairs of values as labels: ``components x 8, y 2``, ``perp before/after: 6, 2``."""
+"""Values with labels in words: ``components x 8, y 2``, ``perp before/after: 6, 2``."""
 
 from __future__ import annotations
 
@@ -34,6 +34,11 @@ EACH_BEHIND = re.compile(
 EACH_IN_FRONT = re.compile(
     rf"^\s*{_LABEL}\s*[:=]?\s*{_FIGURES}\s+before{_APART}{_SIGNED}\s+after()()\s*$"
 )
+# A moment behind a label and its value: ``perp: 14 sin 50 = 10.7 after the impact``.
+MOMENT_BEHIND = re.compile(
+    rf"^\s*((?:so|hence|∴)\s+)?{_LABEL}\s*[:=]\s*([^,;:<>]*[\d°)])\s*(?:m\s?/\s?s|m\s?s\s?(?:\^?-1|⁻¹))?"
+    r"\s+(before|after)(?:\s+(?:the\s+)?(?:impact|collision|bounce|hit|rebound))?\s*\.?\s*$"
+)
 _AXES = {"x": "i", "y": "j"}
 
 
@@ -47,6 +52,14 @@ def components(match: re.Match[str], problem: Problem) -> str:
     when = f" {when or behind}" if when or behind else ""
     labels = (f"{_AXES.get(axis, axis)} component{whose}{when}" for axis in (first, second))
     return f"{start} {next(labels)} = {one}, {next(labels)} = {other}"
+
+
+def moment_behind(match: re.Match[str], _: Problem) -> str:
+    """The label with its moment before what it is worth."""
+    start, label, value, stage = match.groups()
+    axis = _AXES.get(label, label)
+    label = f"{axis} component" if axis in ("i", "j") else label
+    return f"{start or ''}{label} {stage} = {value}"
 
 
 def before_and_after(match: re.Match[str], _: Problem) -> str:

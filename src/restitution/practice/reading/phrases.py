@@ -36,7 +36,7 @@ from restitution.expression.tree import (
     unsigned,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
-from restitution.practice.reading.journeys import Journeys, names_in
+from restitution.practice.reading.journeys import names_in
 from restitution.practice.reading.phrase_names import (
     UNNAMED_ANGLE,
     UNNAMED_DIRECTION,
@@ -52,6 +52,7 @@ from restitution.practice.reading.phrase_names import (
     speaks_of_the_end,
     tells_after,
 )
+from restitution.practice.reading.right_angles import RightAngles
 from restitution.problem import Impact, Kick, Problem
 
 __all__ = [
@@ -159,7 +160,7 @@ def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     return tuple(trees)
 
 
-class _Reader(Journeys):
+class _Reader(RightAngles):
     """The candidates of one phrase."""
 
     def candidates(self) -> Iterator[Expression]:
@@ -174,6 +175,8 @@ class _Reader(Journeys):
                 yield from self.gradient(event)
             elif "ratio" in heads:
                 yield from self.ratio(event)
+            elif "scalar product" in heads:
+                yield from self.scalar_products(event)
             elif "deflection" in heads:
                 yield from self.deflection(event)
             elif "angle" in heads:

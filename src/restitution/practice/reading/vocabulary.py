@@ -31,6 +31,7 @@ HEADS: Mapping[str, str] = {
     "gap": "distance",
     "time": "time",
     **dict.fromkeys(("position", "posn", "coordinates", "coords"), "position"),
+    "scalarproduct": "scalar product",
 }
 
 DIRECTIONS: Mapping[str, str] = {
