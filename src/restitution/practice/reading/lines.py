@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from restitution.expression.tree import Expression, Letter, letters, walk
 from restitution.expression.writing import write_expression
+from restitution.practice.reading.vocabulary import SCALAR_PRODUCT_WORD
 from restitution.practice.script import Claim, Script
 from restitution.render.layout import Layout, Words
 from restitution.render.layout.statements import from_tree
@@ -27,7 +28,7 @@ def read_as(claims: Sequence[Claim]) -> str | None:
         else:
             text += f"{', ' if text else ''}{text_of(claim.left)} {sign} {right}"
         last = claim
-    return text or None
+    return text.replace(f"the {SCALAR_PRODUCT_WORD}", "scalar product") or None
 
 
 @lru_cache(maxsize=4096)

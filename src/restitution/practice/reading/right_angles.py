@@ -18,6 +18,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.reading.journeys import Journeys
 from restitution.practice.reading.usage import letters_of_question
+from restitution.practice.reading.vocabulary import SCALAR_PRODUCT_WORD
 from restitution.problem import Problem, Show, trees_of_step
 
 _VELOCITY = (
@@ -48,7 +49,7 @@ def scalar_product(match: re.Match[str], problem: Problem) -> str:
     simple = _SIMPLE.search(match[0])
     if simple and not (simple[1] == "u" and "u" in letters_of_question(problem)):
         return match[0]  # v.v is the square of v, and u a vector
-    label = "scalarproduct = " if _ZERO.search(match["value"]) else ""
+    label = f"{SCALAR_PRODUCT_WORD} = " if _ZERO.search(match["value"]) else ""
     return f"{match['start']} {label}"
 
 
@@ -61,7 +62,7 @@ def of_pairs(match: re.Match[str], problem: Problem) -> str:
     at_right_angles = any(
         getattr(step.relation, "relation", "") == "perpendicular to" for step in shown
     )
-    return f"{match[1]} scalarproduct = " if right or at_right_angles else match[0]
+    return f"{match[1]} {SCALAR_PRODUCT_WORD} = " if right or at_right_angles else match[0]
 
 
 class RightAngles(Journeys):

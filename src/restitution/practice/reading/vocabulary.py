@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+# What stands for *dot product* where velocities are at right angles; nobody types it.
+SCALAR_PRODUCT_WORD = "scalarproduct"
+
 HEADS: Mapping[str, str] = {
     **dict.fromkeys(("speed", "speeds", "spd"), "speed"),
     **dict.fromkeys(("velocity", "velocities", "vel", "velo", "vels"), "velocity"),
@@ -31,7 +34,7 @@ HEADS: Mapping[str, str] = {
     "gap": "distance",
     "time": "time",
     **dict.fromkeys(("position", "posn", "coordinates", "coords"), "position"),
-    "scalarproduct": "scalar product",
+    SCALAR_PRODUCT_WORD: "scalar product",
 }
 
 DIRECTIONS: Mapping[str, str] = {
