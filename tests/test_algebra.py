@@ -336,3 +336,17 @@ def test_a_quotient_whose_roots_are_not_found_stays_as_it_is(
     assert over_surds(value) != value
     monkeypatch.setattr(mpmath, "polyroots", polyroots)
     assert over_surds(value) == value
+
+
+def test_a_quotient_with_the_root_of_a_negative_number_for_some_letters_is_answered() -> None:
+    solution = solve(
+        parse(
+            "wall W: along i\nwall V: along 60°\nsphere P: mass m, velocity u at alpha to W\n"
+            "P hits W: e = e\nP hits V: e = f\ngiven angle(velocity(P), V) = 30°\nfind tan(alpha)"
+        )
+    )
+    (item,) = solution.parts[None].items
+    assert item.error is None
+    (answer,) = item.distinct
+    f = next(s for s in answer.value.free_symbols if s.name == "f")
+    assert answer.value.subs(f, sp.Rational(1, 3)) == 0

@@ -601,3 +601,32 @@ def test_a_loss_that_an_earlier_part_shows_goes_into_a_ratio() -> None:
     )
     ratio = "(kinetic energy of Q after the impact)/(kinetic energy lost by P)"
     assert f"{ratio} = ½mu² cos²β/(¾mu² cos²β) = ⅔" in words
+
+
+def test_a_quotient_of_quotients_is_one_fraction_before_both_sides_multiply_out() -> None:
+    words = in_a_row(
+        "wall C: circle centre (0, 0) radius a\npoint S: (-a, 0)\n"
+        "sphere P: at (-a, 0), velocity u at alpha\nP hits C: e = f\nP hits C: e = f\n"
+        "P reaches S\nfind tan(alpha)^2"
+    )
+    one = "(1 + f) tan α/(f − tan²α) = f²/tan α (1 + f) tan²α = f³ − f² tan²α"
+    assert one in words
+
+
+TURNED_APART = """
+sphere A, B: mass m
+sphere A: velocity 2u i
+sphere B: velocity -2u j
+A hits B: along i + j
+let theta = angle(velocity(A), velocity(B))
+"""
+
+
+def test_the_root_of_a_square_in_the_quadratic_formula_is_worked_out() -> None:
+    words = in_a_row(f"{TURNED_APART}given tan(theta) = sqrt(3), theta < 90°\nfind e")
+    assert "e = (−1 + 2)/√3 or e = (−1 − 2)/√3" in words
+
+
+def test_factors_with_roots_stand_side_by_side_in_brackets() -> None:
+    words = in_a_row(f"{TURNED_APART}given theta = 60°\nfind e")
+    assert "(−√2 eu(√2 eu) + √2 u(√2 u))/((√2 eu)² + (√2 u)²)" in words

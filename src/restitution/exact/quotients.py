@@ -65,7 +65,11 @@ def _vanish_together(a: Add, b: Add, letter: Symbol) -> bool:
     roots = []
     for value in (a, b):
         coefficients = sympy.Poly(value.xreplace(put), letter).all_coeffs()
-        numbers = [mpmath.mpf(str(number.evalf(40))) for number in coefficients]
+        # With numbers for letters there may be roots of negative numbers.
+        parts = [number.evalf(40).as_real_imag() for number in coefficients]
+        numbers = [
+            mpmath.mpc(*map(str, pair)) if pair[1] else mpmath.mpf(str(pair[0])) for pair in parts
+        ]
         try:
             roots.append(mpmath.polyroots(numbers, maxsteps=80, extraprec=80))
         except (NoConvergence, ZeroDivisionError):

@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
+from restitution.planning.closing.plain_quotients import with_plain_quotients
 from restitution.planning.closing.products_out import with_products_out
 from restitution.planning.closing.square_roots import squares_collected
 from restitution.planning.formulas.impacts import residual, scene_value
@@ -70,6 +71,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     if len(symbols) == 1 and _is_worked_out(scene, link, symbols[0]):
         return line
     line = _with_plain_squares(scene, line)
+    line = with_plain_quotients(scene, line)
     line = with_products_out(scene, line, *symbols)
     line = _squares_cleared(scene, _across(scene, line, symbols), symbols)
     if len(symbols) == 1:

@@ -346,9 +346,11 @@ def _in_two_lines(
     inside = expanded(half**2 - a * c)
     own = expanded(tidy(sp.sqrt(inside)))
     plain = own.is_Add and not any(p.base.has(sp.Pow) for p in own.atoms(sp.Pow))
-    root = Apply(
+    root: Expression = Apply(
         "sqrt", square(tree_of(own, as_it_is=True)) if plain else tree_of(inside, as_it_is=True)
     )
+    if own.is_Rational:
+        root = tree_of(own)
     subject = roots.options[0][0].left
     by_formula: list[tuple[Link, ...]] = []
     for links in roots.options:

@@ -138,6 +138,8 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
                 return product(left, right, sign="×")  # 2m × ⅘, not 2m⅘
             if isinstance(right, Product) and _begins_with_digit(right):
                 return product(left, Brackets(right))  # 2m(3u), not 2m3u
+            if _has_a_root(left) and _has_a_root(right):
+                return product(left, Brackets(right))  # √2 eu(√2 u), and no √2√2
             return product(left, right)
         case "/":
             return Fraction(left, right)
@@ -146,6 +148,11 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
                 case Fraction(Number("1"), Number(index)) if index.isdigit():
                     return root(left, int(index))
             return power(left, right)
+
+
+def _has_a_root(layout: Layout) -> bool:
+    """Whether a root is a factor of a product, beside letters."""
+    return isinstance(layout, Product) and any(isinstance(e, Root) for e in layout.factors)
 
 
 def _has_terms(layout: Layout) -> bool:
