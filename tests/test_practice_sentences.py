@@ -450,6 +450,7 @@ find velocity(P), impulse(P), energy_lost"""
     [
         "Impulse = change in momentum = 6i - 8j - (6i + 12j) = -20j",
         "I = final momentum - initial momentum = 2(3i - 4j) - 2(3i + 6j) = -20j",
+        "I = Δmv = 2(3i - 4j) - 2(3i + 6j) = -20j",
         "Ix = 2(3 - 3) = 0, Iy = 2(-4 - 6) = -20 so I = -20j",
     ],
 )
@@ -560,3 +561,135 @@ def test_a_printed_right_angle_by_complementary_angles_has_all_its_marks() -> No
         "so θ + β = 90° i.e. deflection is 90°",
     )
     assert whole["marks"]["earned"] == whole["marks"]["of"]
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "tan(angle to Y) = 1/2 => 26.6°",
+        "tan θ = 1/2 so 26.6",
+        "tan θ = 1/2 = 0.5, 26.6° to Y",
+        "cos θ = 2/√5 giving 26.6 degrees",
+    ],
+)
+def test_a_value_behind_a_ratio_is_that_of_its_angle(typed: str) -> None:
+    found = marked(CORNER + "angle(velocity(P), Y)", "v = i + 2j", typed)
+    assert [line["verdict"] for line in found["lines"]] == ["true", "true"]
+    assert found["marks"]["earned"] == found["marks"]["of"]
+    wrong = typed.replace("26.6", "62.6")
+    assert verdicts(CORNER + "angle(velocity(P), Y)", "v = i + 2j", wrong)[1] == "false"
+
+
+@pytest.mark.parametrize(
+    ("typed", "other"),
+    [
+        ("A: 1 in the j direction", "A: 3 in the j direction"),
+        ("A: 1 along j, B: 4 along j", "A: 1 along j, B: 3 along j"),
+        ("A has 1 perpendicular to LOC", "A has 4 perpendicular to LOC"),
+        ("A 1 across, B 4 across", "A 4 across, B 1 across"),
+        ("so A still has 1 across the line of centres", "A still has 4 across the line of centres"),
+    ],
+)
+def test_the_way_of_a_component_stands_behind_it(typed: str, other: str) -> None:
+    lines = ["2v + w = 9", "w - v = 3", "v = 2, w = 5"]
+    assert verdicts(PAIR + "velocity(A), velocity(B)", *lines, typed) == ["true"] * 4
+    assert verdicts(PAIR + "velocity(A), velocity(B)", *lines, other)[3] == "false"
+
+
+@pytest.mark.parametrize("vector", ["(-V, 1)", "-Vi + j", "(-V; 1)"])
+def test_a_component_and_a_pair_with_its_letter_are_a_velocity(vector: str) -> None:
+    heavy = PAIR.replace("B: mass 1", "B: mass 5").replace("A: mass 2", "A: mass 1")
+    statement = heavy + "velocity(A)"  # v + 5w = -9 and w - v = 3: v = -4, w = -1
+    lines = ["5w - V = -9", "w + V = 3", "V = 4", f"v_A = {vector}"]
+    found = marked(statement, *lines, V="-along(velocity(A), i)", w="along(velocity(B), i)")
+    assert found["marks"]["earned"] == found["marks"]["of"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "state"),
+    [
+        ("angle to Y = tan⁻¹(2/1) = 63.4°", "earned"),
+        ("tan θ = 2/1, θ = 63.4°", "earned"),
+        ("angle to Y = 63.4°", "lost"),
+    ],
+)
+def test_a_tangent_upside_down_keeps_its_method(typed: str, state: str) -> None:
+    found = marked(CORNER + "angle(velocity(P), Y)", "v = i + 2j", typed)
+    *_, method, answer = found["marks"]["points"]
+    assert (method["kind"], method["state"], answer["state"]) == ("M1", state, "lost")
+
+
+WHO_STRIKES_ALONE = """sphere A: mass 2, velocity 4i + j
+sphere B: mass 1, at rest
+wall W: along j
+A hits B: along i, e = 1/2
+B hits W: e = 1/4
+find impulse(B), energy_lost"""
+
+
+def test_who_comes_to_a_wall_alone_has_the_energy_of_a_line_about_it() -> None:
+    found = marked(WHO_STRIKES_ALONE, "v_B = 4i, then -i", "KE: 8 -> 0.5, lost 7.5")
+    assert found["lines"][1]["verdict"] == "true"
+    assert verdicts(WHO_STRIKES_ALONE, "KE before = 8, KE after = 1") == ["false"]
+
+
+@pytest.mark.parametrize("line", ["I = 1(-1 - 4) = -5", "impulse on B = -1 - 4 = -5, to the left"])
+def test_the_only_component_of_an_impulse_has_its_method(line: str) -> None:
+    points = marked(WHO_STRIKES_ALONE, "speed of B after = 1", line)["marks"]["points"]
+    (method,) = [point for point in points if point["for"].startswith("impulse")]
+    assert method["state"] == "earned"
+
+
+def test_what_is_lost_stands_behind_a_total_too() -> None:
+    line = "total = 120/6 = 20 lost"
+    assert verdicts(CORNER + "total_energy_lost", "12 + 8", line) == ["remark", "true"]
+    assert verdicts(CORNER + "total_energy_lost", "total = 126/6 = 21 lost") == ["false"]
+
+
+OFFSET = """sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1/2
+find speed(A)"""
+
+
+@pytest.mark.parametrize("words", ["angle between u and line of centres", "angle of u to the LOC"])
+def test_a_letter_of_a_speed_is_a_direction_beside_the_line_of_centres(words: str) -> None:
+    assert verdicts(OFFSET, f"{words} is 30", "w = (1+e)/2 u cos 30 = 0.650u") == ["true", "true"]
+    assert verdicts(OFFSET, f"{words} = 40") == ["false"]
+
+
+def test_a_cosine_ends_a_formula_in_the_letter_of_its_value() -> None:
+    lines = ["θ = 30°", "w = (1 + e)/2 u cosθ = 0.6495u"]
+    assert verdicts(OFFSET, *lines) == ["true", "true"]
+    assert verdicts(OFFSET, lines[0], lines[1].replace("0.6495", "0.5495"))[1] == "false"
+
+
+def test_a_velocity_stands_at_both_moments_of_a_label() -> None:
+    statement = (
+        "wall W: along j\nsphere P: mass 1, velocity 4i + j\nP hits W: e = 1/4\nfind speed(P)"
+    )
+    assert verdicts(statement, "velocity before = 4i + j, after: -i + j") == ["true"]
+    assert verdicts(statement, "velocity before = 4i + j, after: -4i + j") == ["false"]
+
+
+def test_components_relative_to_the_mass_centre_are_none_of_the_plane() -> None:
+    lines = ["vG = (2(6) + 1(-3))/3 = 3", "relative to the mass centre A has 3 and B -6 along i"]
+    assert verdicts(PAIR + "velocity(A)", *lines) == ["true", "remark"]
+
+
+def test_what_is_worked_out_without_a_name_is_seen() -> None:
+    statement = (
+        "wall W: along i\nsphere P: velocity 6 at 35° to W\nP hits W: e = 1/2\nfind speed(P)"
+    )
+    lines = ["6 cos 35 = 4.915", "3 sin 35 = 1.721", "v = √(4.915² + 1.721) = 5.09"]
+    points = marked(statement, *lines)["marks"]["points"]
+    assert [point["state"] for point in points] == ["earned", "earned", "earned", "lost"]
+
+
+def test_the_end_of_a_range_as_a_decimal() -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass m, velocity u at 60° to W\nP hits W\n"
+        "given speed(P) < 3/4 u\nfind range of e"
+    )
+    found = marked(statement, "u²(1 + 3e²)/4 < 9u²/16", "e < 0.645")
+    assert found["marks"]["earned"] == found["marks"]["of"]

@@ -48,6 +48,7 @@ from restitution.practice.judging.plain_deflections import (
     is_deflection_as_angle,
     is_given_deflection,
 )
+from restitution.practice.judging.plain_energies import has_half_in_all
 from restitution.practice.judging.plain_impulses import of_given_impulse
 from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.plain_mistakes import (
@@ -119,6 +120,8 @@ _BEFORE: Mapping[str, set[str]] = {
     "square-not-taken": {"energy-one-sphere", "energy-of-difference"},
 }
 _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
+    "angle-from-normal": {"sine-cosine", "second-wall-angle"},
+    "sine-cosine": {"second-wall-angle"},  # at walls at right angles both are one
     "across-changed": {"restitution-parallel"},
     "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-whole-speed"},
     "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
@@ -325,6 +328,8 @@ class Names:
         if is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [state for state in by_states if _kinds(state) & _OF_ENERGY - {"speed"}]
+        if has_half_in_all(entry, judge.base):
+            by_states = [state for state in by_states if state.mistake != "energy-no-half"]
         if is_loss(entry):
             # Who works out what is lost does not take all for kept.
             by_states = [state for state in by_states if state.mistake != "energy-conserved"]

@@ -50,9 +50,19 @@ def is_energy_of_difference(entry: Entry, world: World) -> bool:
     )
 
 
+def has_half_in_all(entry: Entry, world: World) -> bool:
+    """Whether the right side of a claim is one product, with a half in it that is no mass."""
+    right = entry.claim.right
+    half = Number(Fraction(1, 2))
+    nodes = list(walk(right))
+    halves = nodes.count(half) + sum(is_binary(x, "/") and x.right == _TWO for x in nodes)
+    masses = any(sphere.mass == half for sphere in world.problem.spheres)
+    return halves > masses and not is_binary(right, "+", "-")
+
+
 def _squared_difference(tree: Expression) -> Iterator[tuple[Expression, Expression]]:
     match tree:
-        case Binary("^", Binary("-", left, right), Number(power)) if power == 2:
+        case Binary("^", Binary("-" | "+", left, right), Number(power)) if power == 2:
             yield left, right
 
 

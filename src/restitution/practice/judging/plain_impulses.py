@@ -10,6 +10,7 @@ from itertools import permutations
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     COMPONENTS,
     Binary,
@@ -18,6 +19,7 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Pair,
     Quantity,
     is_function,
     is_quantity,
@@ -25,13 +27,14 @@ from restitution.expression.tree import (
     unsigned,
     walk,
 )
-from restitution.practice.judging.claimed import has_value, meant_by
+from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.world import World
-from restitution.problem import trees
+from restitution.problem import Impact, trees
 
+_TERMS_OF_A_VALUE = 3  # v = 3i + 4j
 _NEAR = 0.006
 """What a student's own rounding may move a speed by: 2 for 2.003."""
 
@@ -193,7 +196,9 @@ def of_given_impulse(entry: Entry, world: World) -> str | None:
     if not impulses or entry.claim.sign != "=":
         return None
     for one, other in permutations((entry.claim.left, entry.claim.right)):
-        if not is_bare(one) or len(letters(other) - world.letters.keys()) != 1:
+        own_letters = letters(other) - world.letters.keys()
+        sought = not own_letters and bool(letters(other) & world.determined)  # 6 + 6e = 5
+        if not is_bare(one) or not (sought or len(own_letters) == 1):
             continue  # of one body, and no difference of two velocities
         for impulse in impulses:
             if not _are_near(one, impulse, entry, world):
@@ -206,6 +211,57 @@ def of_given_impulse(entry: Entry, world: World) -> str | None:
                 if _are_near(own, impulse, entry, world):
                     return "mass-omitted"
     return None
+
+
+def is_velocity_without_mass(entry: Entry, world: World) -> bool:
+    """Whether a claim has a velocity that an impulse, or the momentum, gives without the masses.
+
+    So has ``2i - 3j = v - 2i`` where 2i - 3j is the impulse on half a kilogram. A value alone
+    shows nothing of how it was come by.
+    """
+    if sum(map(_terms_in, (entry.claim.left, entry.claim.right))) <= _TERMS_OF_A_VALUE:
+        return False
+    names = letters(entry.claim.left) | letters(entry.claim.right)
+    for name in names & entry.meanings.keys():
+        meant = entry.meanings[name]
+        for velocity in {x for x in walk(meant) if is_quantity(x, "velocity")}:
+            for value in _without_masses(velocity, world):
+                own = exchanged(meant, {velocity: value})
+                claim = Claim(
+                    exchanged(entry.claim.left, {Letter(name): own}),
+                    entry.claim.sign,
+                    exchanged(entry.claim.right, {Letter(name): own}),
+                )
+                if holds_in(replace(entry, claim=claim), world):
+                    return True
+    return False
+
+
+def _terms_in(tree: Expression) -> int:
+    """How many terms stand in a sum; a pair has two."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return _terms_in(left) + _terms_in(right)
+        case Negate(operand):
+            return _terms_in(operand)
+        case Pair():
+            return 2
+    return 1
+
+
+def _without_masses(velocity: Quantity, world: World) -> Iterator[Expression]:
+    """What a velocity after an event would be if every mass were 1."""
+    number = velocity.stage
+    if not isinstance(number, int) or not 0 < number <= len(world.events):
+        return
+    (body,) = velocity.arguments[:1]
+    event = world.events[number - 1]
+    yield Binary("+", _at_stage(velocity, number - 1), Quantity("impulse", (body,), number))
+    if not isinstance(event, Impact) or event.second in world.walls:
+        return
+    other = event.second if body == Name(event.first) else event.first
+    before, after = (Quantity("velocity", (Name(other),), n) for n in (number - 1, number))
+    yield Binary("+", _at_stage(velocity, number - 1), Binary("-", before, after))
 
 
 def _at_stage(tree: Expression, stage: int) -> Expression:

@@ -41,6 +41,7 @@ from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.plain_energies import has_energies_of_both
+from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -62,6 +63,21 @@ def is_coefficient_inverted(entry: Entry, world: World) -> bool:
         has_value(Binary("/", _ONE, _coefficient(number)), entry.claim.right, entry, world)
         for number in events
     )
+
+
+def is_equation_inverted(entry: Entry, world: World) -> bool:
+    """Whether an equation for a coefficient that is sought holds with 1/e for e: ``3 = 2e``."""
+    sides = (entry.claim.left, entry.claim.right)
+    for name in letters(sides[0]) | letters(sides[1]):
+        own = Letter(name)
+        meant = entry.meanings.get(name, own)
+        known = meant == own and name not in world.determined
+        if own in sides or known or not _events_of(meant, world):
+            continue
+        left, right = (exchanged(side, {own: Binary("/", _ONE, own)}) for side in sides)
+        if holds_in(replace(entry, claim=Claim(left, entry.claim.sign, right)), world):
+            return True
+    return False
 
 
 def is_coefficient_of_speeds(entry: Entry, world: World) -> bool:
@@ -89,19 +105,38 @@ def is_coefficient_of_speeds(entry: Entry, world: World) -> bool:
 
 
 def is_fraction_of_line_energy(entry: Entry, world: World) -> bool:
-    """Whether a share lost by two spheres is one of their energy along the line of centres."""
+    """Whether a share that is lost is one of the energy along the line of centres.
+
+    It is the share of a claim, or the one that is given: ``1 - e² = 3/8``.
+    """
+    left, right = entry.claim.left, entry.claim.right
     match meant_by(entry):
         case Binary("/", Quantity(kind) as lost, Quantity("energy")) if kind in LOSSES:
-            pass
-        case _:
-            return False
-    for number, pair in _pairs(world):
-        along = reduce(_plus, (_energy_by(body, "along", number - 1, number) for body in pair))
-        share = Binary("/", lost, along)
-        hundredths = Binary("*", Number(Fraction(100)), share)
-        if any(has_value(x, entry.claim.right, entry, world) for x in (share, hundredths)):
-            return True
+            lines = _lines_of_losses(world)
+            shares = (Binary("/", lost, along) for _, along in lines)
+            hundred = Number(Fraction(100))
+            return any(
+                has_value(x, right, entry, world)
+                for share in shares
+                for x in (share, Binary("*", hundred, share))
+            )
+    for one, other in permutations((left, right)):
+        if not is_bare(one) or not letters(other) or letters(other) - world.determined:
+            continue
+        for number, along in _lines_of_losses(world):
+            lost = Quantity("energy_lost", (), number)
+            whole = Binary("/", lost, Quantity("energy", (), number - 1))
+            share = Binary("/", lost, along)
+            if has_value(whole, one, entry, world) and has_value(share, other, entry, world):
+                return not has_value(whole, other, entry, world)
     return False
+
+
+def _lines_of_losses(world: World) -> Iterator[tuple[int, Expression]]:
+    """The energies along the line of centres before impacts, and into walls."""
+    struck = [(number, (body,)) for number, body in world.wall_impacts()]
+    for number, bodies in (*_pairs(world), *struck):
+        yield number, reduce(_plus, (_energy_by(x, "along", number - 1, number) for x in bodies))
 
 
 def is_impulse_by_other_function(entry: Entry, world: World) -> bool:
@@ -388,6 +423,7 @@ def _pairs(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
 
 SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_coefficient_inverted, "restitution-inverted"),
+    (is_equation_inverted, "restitution-inverted"),
     (is_coefficient_of_speeds, "restitution-whole-speed"),
     (is_fraction_of_line_energy, "energy-fraction-of-line"),
     (is_impulse_by_other_function, "sine-cosine"),

@@ -17,6 +17,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Expression,
@@ -51,6 +52,7 @@ from restitution.practice.judging.plain_impulses import (
     is_impulse_of_speeds,
     is_impulse_of_unit_mass,
     is_impulse_reversed,
+    is_velocity_without_mass,
 )
 from restitution.practice.judging.plain_laws import SHOWN
 from restitution.practice.judging.slips import Correction
@@ -434,7 +436,11 @@ def _is_without_across(entry: Entry, world: World) -> bool:
 
 
 def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
-    """Whether an angle to a wall has the value of that to a wall which the sphere left before."""
+    """Whether an angle to a wall is taken from a wall that the sphere left before.
+
+    It has the value of the angle after that wall, or of the one before it, alone or beside the
+    angle of the walls.
+    """
     match meant_by(entry):
         case Quantity("angle", (Quantity("velocity", (Name(body),)), Name(wall))):
             pass
@@ -448,11 +454,23 @@ def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
     second = next((number for number, other in struck if other == wall), 0)
     earlier = [impact for impact in struck if impact[0] < second and impact[1] != wall]
     return any(
-        has_value(Quantity("angle", (velocity, Name(other))), entry.claim.right, entry, world)
+        has_value(angle, entry.claim.right, entry, world)
         for number, other in earlier
         if other not in world.start
-        for velocity in (Quantity("velocity", (Name(body),), number),)
+        for angle in _angles_of_wall(body, number, other, wall)
     )
+
+
+def _angles_of_wall(body: str, number: int, left: str, wall: str) -> Iterator[Expression]:
+    """The angles that one to a wall may be taken for, of a body that leaves another wall."""
+    after, before = (
+        Quantity("angle", (Quantity("velocity", (Name(body),), stage), Name(left)))
+        for stage in (number, number - 1)
+    )
+    yield from (after, before)
+    between = Quantity("angle", (Name(left), Name(wall)))
+    yield Binary("-", between, before)
+    yield Binary("-", Binary("-", STRAIGHT_ANGLE, between), before)
 
 
 def _is_share_by_speeds(entry: Entry, world: World) -> bool:
@@ -672,6 +690,7 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_impulse_of_speeds, "impulse-of-speeds"),
     (is_impulse_of_other_mass, "masses-exchanged"),
     (is_impulse_of_unit_mass, "mass-omitted"),
+    (is_velocity_without_mass, "mass-omitted"),
     (_is_angle_of_other_wall, "second-wall-angle"),
     (is_given_difference, "deflection-difference"),
     *SHOWN,

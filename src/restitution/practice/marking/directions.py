@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
+from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Link
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     COMPONENTS,
+    RIGHT_ANGLE,
     Apply,
     Binary,
     Expression,
@@ -21,6 +26,7 @@ from restitution.expression.tree import (
     Unit,
     has_unit_vector,
     is_binary,
+    is_function,
     is_quantity,
     quantities_in,
     walk,
@@ -30,6 +36,7 @@ from restitution.practice.marking.line_contents import LineContents, place_in
 from restitution.practice.marking.lines import SOUND
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import chains, names_in
+from restitution.practice.worlds.agreement import agrees
 from restitution.problem import Aligned, Show
 from restitution.records import dataclass
 
@@ -192,6 +199,45 @@ class Directions(LineContents):
             for side in (claim.left, claim.right)
             for node in walk(side)
         )
+
+    def is_size_of_impulse(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives the vector of an impulse along its line: ``I = 2(-1 - 4) = -10``."""
+        asked = None if point.link is None else point.link.left
+        if not is_quantity(asked, "impulse") or not asked.arguments:
+            return False
+        meanings = self._meanings(line)
+        return any(
+            isinstance(left, Letter)
+            and any(x.kind == "impulse" for x in quantities_in(meanings.get(left.name, left)))
+            and self._is_worth(Apply("abs", left), Apply("abs", asked), line)
+            for chain in chains(line)
+            for left in (chain[0].left,)
+        )
+
+    def is_upside_down(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line has the angle of a point by a tangent that is upside down."""
+        asked = None if point.link is None else point.link.left
+        asked = asked.argument if is_function(asked, "tan") else asked
+        if not is_quantity(asked, *ANGLES) or line.verdict != "false":
+            return False
+        meanings = self._meanings(line)
+        for link in line.line.links:
+            for claim in link.readings:
+                own = claim.left.argument if is_function(claim.left, "tan") else claim.left
+                sides = (claim.left, claim.right)
+                by_tangent = any(
+                    is_function(x, "tan", "arctan") for side in sides for x in walk(side)
+                )
+                if not by_tangent or not self._names(own, asked, meanings, line):
+                    continue
+                other = exchanged(claim.left, {own: Binary("-", RIGHT_ANGLE, own)})
+                turned = replace(claim, left=other)
+                try:
+                    if agrees(turned, self._base, meanings, link.decimals, line.line.scope):
+                        return True
+                except RestitutionError:
+                    continue
+        return False
 
     def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line takes a component along the direction that a point is for."""

@@ -105,7 +105,7 @@ class Grounds:
         Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
         an earlier A or B, and no method of a law, nor an equation of two spheres.
         """
-        if point.letter == "B" and point.principle in LAWS and self._is_at_old_wall(line):
+        if point.letter == "B" and point.principle in LAWS and self._is_at_wrong_angle(point, line):
             return True  # the law is right, and the angle another point
         if not point.follows:
             return False
@@ -169,9 +169,14 @@ class Grounds:
         return point.principle == "place" and line.verdict == "false" and named and law
 
     def _is_matched(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line gives what a point is for, or the square of a speed by its components."""
+        """Whether a line gives what a point is for, or the square of a speed by its components.
+
+        Of an impulse that is a vector it may be the only component.
+        """
         if self.values.matches(point, line) is not None:
             return True
+        if point.principle == "impulse" and self.values.is_size_of_impulse(point, line):
+            return line.verdict == "true"
         return point.principle == "speed" and self.values.is_sum_of_squares(point, line)
 
     def _is_of_vectors(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -213,6 +218,22 @@ class Grounds:
         wrong = [root.mistake for root in ([line] if line.mistake else self._roots(line))]
         old = all(mistake is not None and mistake.id == "second-wall-angle" for mistake in wrong)
         return bool(wrong) and old
+
+    def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether nothing but the angle to a wall is wrong in a line, and costs a point elsewhere.
+
+        The scheme has a point for it above, or it stands in a line of its own.
+        """
+        if not self._is_at_old_wall(line):
+            return False
+        above = takewhile(lambda other: other.id != point.id, self.scheme.points)
+        own = any(
+            other.letter == "M" and other.principle in ("angle", "component")
+            for other in above
+            if other.event in (None, point.event)
+        )
+        roots = [line] if line.mistake else self._roots(line)
+        return own or not any(use.principle in LAWS for root in roots for use in root.uses)
 
     def _has_no_turn(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line follows from another angle in the place of the deflection."""

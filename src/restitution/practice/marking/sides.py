@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Number,
+    Pair,
     Quantity,
     Unit,
     children,
@@ -491,6 +492,12 @@ class Sides:
         self, velocity: Expression, vector: Expression, line: JudgedLine
     ) -> Iterator[Expression]:
         """The components that a vector with a letter in it gives a velocity: of ``v = 2i + pj``."""
+        own = self._meanings(line).keys()
+        if isinstance(vector, Pair) and is_quantity(velocity, "velocity"):
+            for part, unit in ((vector.x, Unit("i")), (vector.y, Unit("j"))):
+                if not letters(part) & own:
+                    yield Quantity("along", (velocity, unit))
+            return
         terms = [vector]
         while any(is_binary(term, "+", "-") for term in terms):
             terms = [
@@ -502,7 +509,7 @@ class Sides:
             return
         for term in terms:
             axes = [node for node in walk(term) if isinstance(node, Unit)]
-            if len(axes) == 1 and not letters(term) & self._meanings(line).keys():
+            if len(axes) == 1 and not letters(term) & own:
                 yield Quantity("along", (velocity, axes[0]))
 
     def _is_component(self, tree: Expression) -> bool:

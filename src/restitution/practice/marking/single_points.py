@@ -126,6 +126,10 @@ class SinglePoints(PrincipleLines):
             )
             if divided is not None:
                 return self._earned(point, divided, "")
+        if point.principle == "angle" and (
+            inverted := next((x for x in self.lines if self.values.is_upside_down(point, x)), None)
+        ):
+            return self._earned(point, inverted, "the tangent upside down; the method stands")
         solving = point.principle in ("solve", "method") or (
             point.principle == "condition" and bool(point.depends) and not is_inequality(point)
         )
@@ -370,6 +374,7 @@ class SinglePoints(PrincipleLines):
                 for line in self.lines
                 if self.values.carries(point, line)
                 and not (self._is_unresolved(line) or self._is_exchanged(point, line))
+                and (not self._is_at_old_wall(line) or self._is_at_wrong_angle(point, line))
             ),
             None,
         )
@@ -400,14 +405,6 @@ class SinglePoints(PrincipleLines):
             return True
         own = line.uses[:1] == (use,) and self.values.has_speeds(line)
         return (line.verdict == "true" or own) and len(use.bodies) < 2
-
-    def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
-        return self._is_at_old_wall(line) and any(
-            other.letter == "M" and other.principle in ("angle", "component")
-            for other in self.scheme.points
-            if other.event in (None, point.event)
-        )
 
     def _value(self, point: MarkPoint) -> PointMark:
         """A value: true, or his own where the point follows through; the last one given counts."""

@@ -106,7 +106,8 @@ class Values(Directions):
         if point.shown and not self._is_printed(point, line):
             whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
             return self._match(line) if whole else None
-        if point.link.sign != "=" and self._gives_end(point.link.left, line):
+        ends = [point.link.left, *(end for _, _, end in _bounds_of(point))]
+        if point.link.sign != "=" and any(self._gives_end(end, line) for end in ends):
             return self._match(line)
         if not point.shown and not self._gives(point.link.left, line, self._is_open(point, line)):
             computed = point.principle in ("energy", "component") or point.letter == "A"
@@ -488,8 +489,10 @@ class Values(Directions):
             return False
         if not isinstance(link.left, Quantity) or self.is_direction(point):
             return False
-        # What is worked out wrongly is seen as it stands: 0.6 × 8 sin 40 = 3.58.
-        left = line.line.links[0].readings[0].left if slipped else None
+        # What is worked out without a name is seen as it stands, and so if wrongly: 0.6 × 8 sin 40.
+        bare = bool(line.uses) and all(use.principle == "arithmetic" for use in line.uses)
+        worked = slipped or (line.verdict == "true" and bare and not line.line.values)
+        left = line.line.links[0].readings[0].left if worked and line.line.links else None
         values = line.line.values if left is None else () if any(names_in(left)) else (left,)
         across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
         at_wall = point.principle in ("component", "restitution") and len(point.bodies) < _SEVERAL

@@ -26,7 +26,7 @@ LEAVES_WITH = re.compile(
 )
 HAS_VECTOR = re.compile(
     rf"(^|[,;]|\b(?:{_SO})\b)\s*([A-Z])\s+(?:now\s+)?"
-    r"(?:has|gets|is\s+left\s+with|moves\s+(?:with|at))\s+"
+    r"(?:has|gets|is|is\s+left\s+with|moves\s+(?:with|at))\s+"
     rf"(?={_VECTOR}\s*(?:$|[,;.]|and\b))",
 )
 TWO_VECTORS = re.compile(rf"^\s*(?:{_SO}\s+)?({_VECTOR})\s+and\s+({_VECTOR})\s*$")
@@ -35,7 +35,13 @@ LOSES_WORKED = re.compile(
     r"(?=[^=]*(?:1/2|½|0?\.5|²|\^2))(?![^=]*[A-Za-z]{3})",
 )
 TOTAL = re.compile(
-    rf"^\s*(?:{_SO}\s+)?total\s*(?:(?:is|of|=|:)\s*)?(?=\d[\d./+=\s]*(?:J\b\s*)?$)", re.IGNORECASE
+    rf"^\s*(?:{_SO}\s+)?total\s*(?:(?:is|of|=|:)\s*)?(?=\d[\d./+=\smu²^]*(?:J\b\s*)?$)",
+    re.IGNORECASE,
+)
+# The label says already what is lost: ``total = 756/512 = 189/128 lost``.
+LOST_BEHIND = re.compile(
+    rf"^(\s*(?:{_SO}\s+)?(?:total|loss|KE|energy)(?:\s+lost)?\s*[=:].*[\w)²])\s+(?:is\s+)?lost\s*\.?\s*$",
+    re.IGNORECASE,
 )
 IN_TOTAL = re.compile(
     rf"^\s*(?:{_SO}\s+)?(\d[\d./]*)\s*(?:J\s+)?(?:is\s+|are\s+)?lost\s+"
@@ -44,7 +50,7 @@ IN_TOTAL = re.compile(
 # A formula in words, between a label and its value: ``time = distance/speed = 4/2``.
 FORMULA = re.compile(
     r"=\s*(?:distance|dist)\s*[/÷]\s*(?:speed|velocity|time)\s*(?==)"
-    r"|=\s*(?:(?:the\s+)?change\s+(?:in|of)\s+(?:the\s+)?(?:momentum|mom)"
+    r"|=\s*(?:(?:the\s+)?change\s+(?:in|of)\s+(?:the\s+)?(?:momentum|mom|m\s?v)"
     r"|(?:final|new)\s+(?:momentum|mom)\s*[-−]\s*(?:initial|old|original)\s+(?:momentum|mom)"
     r"|(?:momentum|mom)\s+after\s*[-−]\s*(?:momentum|mom)\s+before)\s*(?==[^=]*\d[ij]\b)",
     re.IGNORECASE,

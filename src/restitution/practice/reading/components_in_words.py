@@ -23,6 +23,18 @@ OF_A_BODY_ALONG = re.compile(
     r"(^|[,;]|\b(?:and|so)\b)\s*([A-Z])\s+(?:has\s+)?(along|across|parallel\s+to|perp(?:endicular)?\s+to)"
     rf"\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC)\s*[:,]?\s*{_VALUE}",
 )
+# ``A: 3u in the j direction``, ``B has -2 across the line of centres``
+_TO_LINE = r"(?:\s+to)?\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC|loc)"
+HAS_A_WAY = re.compile(
+    r"(^|[,;]|\b(?:and|so)\b)\s*([A-Z])\s*(?::|=|\b(?:has|keeps|still\s+has))?\s*"
+    r"(?<=[\s:=])([-−]?\s?[\d√½⅓¼⅔¾][\w./√()+\-]*)\s+"
+    r"(?:(?:in|along|parallel\s+to)\s+(?:the\s+)?([ij])\b(?:[-\s]*(?:direction|dirn?|axis))?"
+    rf"|(along|parallel|across|perp(?:endicular)?){_TO_LINE}|(across|perp(?:endicular)?))"
+    r"(?:\s+(?:too|still|unchanged|after))*(?=\s*(?:$|[,;.]|\band\b))"
+)
+_RELATIVE = re.compile(
+    r"\brel(?:ative)?\b|\bmass\s+centre|\bcentre\s+of\s+mass|\bC(?:O?|of)M\b", re.I
+)
 GOES_BACK = re.compile(
     r"\b([A-Z])\s+(?:goes|moves|comes|travels|bounces|rebounds|flies)\s+(?:straight\s+)?back(?:wards)?"
     r"\s+(?:at|with)\s+(?:an?\s+)?(?:speed\s+(?:of\s+)?)?(?!angle\b)(?=[\d√(½⅓¼⅔¾a-z])"
@@ -60,6 +72,19 @@ def of_a_body_along(match: re.Match[str], problem: Problem) -> str:
         return match[0]
     direction = "across" if match[3].lower()[:2] in ("ac", "pe") else "along"
     return f"{match[1]} component of {match[2]} {direction} the line of centres = "
+
+
+def has_a_way(match: re.Match[str], problem: Problem) -> str:
+    """The component that a sphere has, of which the way stands behind the value."""
+    start, name, value, axis, to_line, across = match.groups()
+    if name not in {sphere.name for sphere in problem.spheres} or _RELATIVE.search(match.string):
+        return match[0]
+    if axis:
+        return f"{start} component of {name} along {axis} = {value}"
+    if problem.walls:
+        return match[0]
+    side = "across" if (across or to_line)[:2] in ("ac", "pe") else "along"
+    return f"{start} component of {name} {side} the line of centres = {value}"
 
 
 def goes_back(match: re.Match[str], problem: Problem) -> str:

@@ -496,6 +496,8 @@ class _Reader(RightAngles):
             yield Quantity("energy", (Name(body),), stage)
         else:
             yield Quantity("energy", (), stage)
+            if len(met := self.bodies_met(event)) == 1 and not self.features.both:
+                yield Quantity("energy", (Name(met[0]),), stage)  # who comes to a wall alone
 
     def changes_of_energy_asked(self, gain: bool) -> Iterator[Expression]:
         """What one body loses of its kinetic energy, or gains, where the question asks for it."""

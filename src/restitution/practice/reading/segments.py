@@ -346,7 +346,7 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
     other = {token.name for token in tokens[start:place] if token.kind == "letter"}
     behind = {token.name for token in tokens[second:] if token.kind == "letter"}
     if right[0].kind == "function":
-        return not own & behind
+        return not own & behind and not (tokens[place - 1].kind == "letter" and other & behind)
     return tokens[start].kind == "function" or not own & (other | behind)
 
 

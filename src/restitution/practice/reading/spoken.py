@@ -95,7 +95,8 @@ _MAKES_AN_ANGLE = re.compile(
     r"(i|j|horizontal|vertical|[xy][-\s]axis|wall|line\s+of\s+centres|[A-Z]\w*)(?![\w(])"
 )
 _ANGLE_OF_A_VELOCITY = re.compile(
-    r"\b(angle\s+(?:between|of)\s+)([uv])\s+(?=(?:and|to|with)\s+(?:the\s+)?(?:[ij]|wall|[A-Z])\b)"
+    r"\b(angle\s+(?:between|of)\s+)([uv])\s+"
+    r"(?=(?:and|to|with)\s+(?:the\s+)?(?:[ij]|wall|[A-Z]|LOC|loc|line\s+of\s+centres)\b)"
 )
 _TIME_TO = re.compile(
     r"\b(time)(?:\s+taken)?\s+(?:for\s+)?(?:([A-Z])\w*\s+|it\s+)?(?:takes?\s+)?(?:to|until|till)\s+"
@@ -316,10 +317,13 @@ def _angle(match: re.Match[str], problem: Problem) -> str:
 
 
 def _of_a_velocity(match: re.Match[str], problem: Problem) -> str:
-    """The velocity before or after that a letter is, of the only sphere."""
-    known = len(problem.spheres) == 1
+    """The velocity that a letter is, of the only sphere or of the one with its speed."""
     when = "before" if match[2] == "u" else "after"
-    return f"{match[1]}velocity {when} " if known else match[0]
+    if len(problem.spheres) == 1:
+        return f"{match[1]}velocity {when} "
+    speed = _tree(match[2])
+    owners = [sphere.name for sphere in problem.spheres if speed in _speeds(sphere.velocity)]
+    return f"{match[1]}velocity of {owners[0]} {when} " if len(owners) == 1 else match[0]
 
 
 def _of_both(match: re.Match[str], problem: Problem) -> str:
@@ -340,6 +344,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (attributions.LOSES_WORKED, attributions.loses_worked),
     (attributions.SHORT_DEFLECTION, lambda _, __: "deflection"),
     (attributions.RESULTANT, attributions.resultant),
+    (attributions.LOST_BEHIND, lambda match, _: match[1]),
     (attributions.TOTAL, attributions.total),
     (attributions.IN_TOTAL, lambda match, _: f"total KE lost = {match[1]}"),
     (right_angles.SCALAR_PRODUCT, right_angles.scalar_product),
@@ -351,6 +356,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (components_in_words.STAYS, components_in_words.stays),
     (components_in_words.HAS_ALONG, components_in_words.has_along),
     (components_in_words.OF_A_BODY_ALONG, components_in_words.of_a_body_along),
+    (components_in_words.HAS_A_WAY, components_in_words.has_a_way),
     (components_in_words.GOES_BACK, components_in_words.goes_back),
     (amounts.STAGE_BEHIND, amounts.stage_behind),
     (amounts.LISTED_ENERGY, amounts.listed_energy),

@@ -10,6 +10,7 @@ from itertools import pairwise, permutations
 
 from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
+    Apply,
     Expression,
     Letter,
     Name,
@@ -57,6 +58,7 @@ _OF_A_SHARE = re.compile(
 )
 _STAGED = re.compile(rf"\s*({'|'.join(sorted(STAGES))})\b\s*(?:,|;|and\b)", re.IGNORECASE)
 _DIVIDING = frozenset(("divide", "divided", "dividing"))
+_INFERRING = frozenset(("so", "hence", "therefore", "thus", "giving", "gives", "=>", "==>", "->"))
 _GIVING = frozenset(("gives", "giving", "get", "leaves", "leaving", "->", ":"))
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
@@ -245,7 +247,7 @@ class _Reader(Chains):
 
     def relabel(self, segment: Segment) -> None:
         """Takes the last label at another stage: ``A before along 4 = 2 + 2, after 3 - 2 = 1``."""
-        stage = segment.before[-1] if segment.before else ""
+        stage = next((word for word in reversed(segment.before) if word != ":"), "")
         words = self.last_label.split()
         if stage not in STAGES or STAGES.keys().isdisjoint(words) or stage in words:
             return
@@ -346,6 +348,8 @@ class _Reader(Chains):
             below = self.sides(tokens[1:] if tokens[0].kind == "/" else tokens)
             self.waiting = self.quotients(below)
             return
+        if self.label is None:
+            self.relabel(segment)
         sides = self.before = self.sides(tokens)
         if tokens[-1].kind == "measure" and tokens[-1].name == "s":
             self.before = ()  # 1 s later AB = 2i + j
@@ -366,6 +370,9 @@ class _Reader(Chains):
                 self.pointing(label, sides, tokens)
             elif not isinstance(sides[0].tree, Name):
                 self.labelled(label, sides, tokens)
+            return
+        if (angle := self._angle_of_ratio(segment)) is not None:
+            self.link((Side(angle),), "=", sides, tokens, angle=True)
             return
         listed = words & {"or", ","} and not words - {"or", ",", "and", "either"}
         if self.links and listed and self.further(sides, tokens):
@@ -394,6 +401,23 @@ class _Reader(Chains):
             self.statements.values += (sides[0].tree,)
             if not isinstance(sides[0].tree, Letter | Number):
                 self.worth = sides[:1]  # the next line may go on from it with a sign
+
+    def _angle_of_ratio(self, segment: Segment) -> Expression | None:
+        """The angle whose sine, cosine or tangent stands before: ``tan θ = 0.56 so 29.2°``."""
+        kinds = [token.kind for token in segment.tokens]
+        inferred = (
+            bool(set(segment.before) & _INFERRING) and not set(segment.before) & STAGES.keys()
+        )
+        if kinds != ["number", "degrees"] and not (kinds == ["number"] and inferred):
+            return None
+        for link in reversed(self.links):
+            match link.readings[0]:
+                case Claim(Apply("sin" | "cos" | "tan", Letter() as angle), "="):
+                    return angle
+                case Claim(left, "=") if link is self.links[-1] or is_numeric(left):
+                    continue  # tan θ = 1.8/3.2 = 0.56
+            return None
+        return None
 
     def _is_divisor(self, segment: Segment) -> bool:
         """Whether what stood last is divided, and what follows is all that it gives.

@@ -1,0 +1,130 @@
+"""Mistakes whose names a line shows by itself: masses left out, 1/e, walls left before, shares."""
+
+from __future__ import annotations
+
+import pytest
+from marked import solution_of
+
+import restitution
+
+
+def names(statement: str, *lines: str) -> list[str | None]:
+    """The name of the mistake in each line, None where there is none."""
+    marking = restitution.mark(solution_of(statement), "\n".join(lines)).json()
+    return [(line["mistake"] or {}).get("id") for line in marking["lines"]]
+
+
+BLOW = """sphere P: mass 4, velocity 3i + j
+P receives 8i - 12j
+find velocity(P)"""
+HIT = """sphere A: mass 2, velocity 4i + 3j
+sphere B: mass 5, velocity -i + 3j
+A hits B
+given velocity(A) = -i - 2j
+find velocity(B)"""
+PUSHED = """wall W: along j
+sphere P: mass 0.25, velocity -8i + 5j
+P hits W
+given impulse = 3
+find e"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        (BLOW, "v = 3i + j + 8i - 12j = 11i - 11j"),
+        (BLOW, "8i - 12j = v - (3i + j)"),
+        (HIT, "4i + 3j - i + 3j = -i - 2j + v_B"),
+        (HIT, "(4, 3) + (-1, 3) = (-1, -2) + v_B"),
+        (PUSHED, "3 = 8 + 8e"),
+    ],
+)
+def test_a_mass_that_is_left_out_of_an_impulse_or_of_momentum_as_vectors(
+    statement: str, line: str
+) -> None:
+    assert names(statement, line)[0] == "mass-omitted"
+
+
+SOUGHT = """wall W: along i
+sphere P: mass 2, velocity 7i - 5j
+P hits W
+given velocity(P) = 7i + 3j
+find e"""
+TURNED = """wall W: along j
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = 4/3, deflection(P) = 90°
+find e"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (SOUGHT, ["perp before = 5, perp after = 3", "5 = 3e"]),
+        (SOUGHT, ["5 = e × 3"]),
+        (SOUGHT, ["3e = 5"]),
+        (TURNED, ["β = 90 - α", "tan β = 3/4", "e tan β = tan α"]),
+        (TURNED, ["e × 3/4 = 4/3"]),
+    ],
+)
+def test_an_equation_that_holds_for_one_over_e(statement: str, lines: list[str]) -> None:
+    assert names(statement, *lines)[-1] == "restitution-inverted"
+
+
+CORNER = """wall AB: along i
+wall BC: along 60°
+sphere P: velocity 6 at 60° to AB
+part a
+P hits AB: e = 1/3
+find speed(P), angle(velocity(P), AB)
+part b
+P hits BC: e = 1/2
+find speed(P)"""
+
+
+@pytest.mark.parametrize("line", ["angle to BC = 60", "angle at BC = 60°"])
+def test_the_angle_before_the_first_wall_at_the_second(line: str) -> None:
+    solution = solution_of(CORNER)
+    marking = restitution.mark(solution, f"{line}\nv cos b = 2√3 cos 60", part="b").json()
+    assert (marking["lines"][0]["mistake"] or {}).get("id") == "second-wall-angle"
+
+
+SHARE = """wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = 4/3, energy_lost = 2/5 energy(0)
+find e"""
+HALF = """wall W: along i
+sphere P: mass m, velocity u at 45° to W
+P hits W
+given energy_lost = 1/3 energy(0)
+find e"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (SHARE, ["perp after = 4eu/5", "1 - e² = 2/5"]),
+        (SHARE, ["perp after: e u sin α", "2/5 = 1 - e^2"]),
+        (HALF, ["after: e u sin 45", "1 - e² = 1/3"]),
+    ],
+)
+def test_a_share_that_is_given_taken_of_the_energy_into_a_wall(
+    statement: str, lines: list[str]
+) -> None:
+    assert names(statement, *lines) == [None, "energy-fraction-of-line"]
+
+
+LOSS = """wall W: along i
+sphere P: mass 2, velocity 5i - 9j
+P hits W: e = 1/3
+find energy_lost"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["KE lost = ½ × 2 × (9 + 3)²", "loss = 0.5(2)(9 + 3)^2 = 144", "KE lost = ½(2)(12)² = 144"],
+)
+def test_an_energy_of_a_difference_has_its_half(line: str) -> None:
+    assert names(LOSS, line) == ["energy-of-difference"]
+    assert names(LOSS, "KE lost = 2(9² - 3²) = 144") == ["energy-no-half"]
