@@ -100,6 +100,14 @@ find maximum of energy_lost over m, minimum of energy_lost over m, maximum of en
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
         ["β − 45° ≤ 30°", "β ≤ 75°", "tan β ≤ 2 + √3"],
     ),
+    # δ = θ + β, where θ is given as a letter, and tan β = e tan 60° < 1.
+    "a letter in degrees is taken from the bound of a deflection": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
+            "given theta = 60°, deflection(P) < 105°\nfind range of e"
+        ),
+        ["δ = θ + β", "Since θ = 60° and δ < 105°:\n    60° + β < 105°", "β < 45°", "e < √3/3"],
+    ),
     # The gap closes if 0 > 2(9 − 2k)u/(9(3 + k)).
     "a sum by which an inequality is multiplied is positive": (
         """

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.degrees import tangent as tangent_of_angle
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, numbers_in
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, numbers_in
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Degrees, Expression, Letter, Quantity
 from restitution.planning.angles.angles_after_walls import is_for_a_calculator
@@ -40,13 +40,15 @@ from restitution.records import dataclass
 class Turned:
     """A deflection as a line makes it of an angle that is known and of one that is open.
 
-    ``whole`` is that with the known angle in numbers, which a line says if it has a letter.
+    ``whole`` is that with the known angle in numbers, which ``inverse`` gives if it has a letter:
+    a line with its inverse tangent, or a fact with its degrees.
     """
 
     line: int
     open: Term
     whole: Expression
-    inverse: tuple[int, ...] = ()
+    inverse: tuple[Ref, ...] = ()
+    in_degrees: bool = False
 
 
 def write_other_angle(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded | None:
@@ -83,13 +85,18 @@ def _of_the_other(worths: Worths, fact: Fact, link: Link, own: Turned) -> Bounde
     end = tree_of(rest, angle=True, as_it_is=True)
     turned, whole = scene.desk.last_link(own.line).left, scene.desk.last_link(own.line).right
     names = {tree.name for tree in (late, turned) if isinstance(tree, Letter)}
+    moves = (Move("rearrange"), Move("put"), Move("compare"))
+    refs: tuple[Ref, ...] = own.inverse
+    if own.in_degrees:
+        whole, given, refs = own.whole, refs, ()
+    else:
+        given = ()
     first = judge.write(
         (Move("put"), Move("compare")),
-        [fact.id, own.line, *scene.desk.introducing(names)],
+        [fact.id, own.line, *given, *scene.desk.introducing(names)],
         relation_of(Link(whole, link.sign, link.right)),
     )
-    moves = (Move("rearrange"), Move("put"), Move("compare"))
-    less = first and judge.write(moves, [first, *own.inverse], relation_of(Link(late, sign, end)))
+    less = first and judge.write(moves, [first, *refs], relation_of(Link(late, sign, end)))
     if not less:
         return None
     line = numbers_in(own.open.refs)[0]
@@ -116,12 +123,27 @@ def _turned(scene: Scene, angle: Quantity, bound: Expression) -> Turned | None:
                 continue
             if isinstance(known.angle, Degrees):
                 return Turned(line, other, whole)
+            in_degrees = _given_in_degrees(scene, known.angle)
+            if in_degrees is not None:
+                put, refs = in_degrees
+                return Turned(line, other, exchanged(whole, {known.angle: put}), refs, True)
             inverse = _in_decimals(scene, known, scene.scalar(bound))
             if inverse is not None:
                 worth = scene.desk.last_link(inverse).right
                 return Turned(line, other, exchanged(whole, {known.angle: worth}), (inverse,))
         scene.desk.back(mark)
     return None
+
+
+def _given_in_degrees(scene: Scene, angle: Expression) -> tuple[Expression, tuple[Ref, ...]] | None:
+    """The degrees that a letter of the data is given as, with where; None of another angle."""
+    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
+    if known is None:
+        return None
+    value = sp.sympify(known.value, strict=True)
+    if not (value * 180 / sp.pi).is_Rational:
+        return None
+    return tree_of(value, angle=True, as_it_is=True), known.refs
 
 
 def _ways(scene: Scene, angle: Quantity) -> Iterator[tuple[int, tuple[Term, Term]]]:
