@@ -45,6 +45,34 @@ find velocity(A)
             "𝐯_A = −(9u/5)𝐢 + (2√5 u/5)𝐣",
         ),
     ),
+    "half of the angle before, beside a coefficient in letters": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = e
+given angle(velocity(P), W) = 1/2 alpha
+find alpha, tan(alpha)
+""",
+        (
+            "t = (e × 2t)/(1 − t²)",
+            "1 − t² = 2e t = √(1 − 2e), as α is acute",
+            "tan α = √(1 − 2e)/e",
+            "α = 2 arctan(√(1 − 2e))",
+        ),
+    ),
+    "twice the angle before, beside a mass in letters": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1
+given angle(velocity(A), i) = 2 alpha
+find tan(alpha)
+""",
+        (
+            "2 tan α/(1 − tan²α) = ((1 + k)/(1 − k)) tan α",
+            "Dividing by tan α, which is not zero as α is acute: 1 − tan²α = 2(1 − k)/(1 + k)",
+        ),
+    ),
     "a deflection less the angle before is the angle afterwards": (
         """
 wall W: along j

@@ -473,3 +473,17 @@ def test_an_angle_given_that_every_value_allows_is_derived(text: str, lines: str
     assert explanation.warnings == ()
     ending = " and every value of e is possible: 0 ≤ e ≤ 1"
     assert lines + ending in " ".join(to_text(explanation).split())
+
+
+def test_conditions_are_written_again_after_their_lines_were_taken_away() -> None:
+    """An attempt at the least angle goes back behind them; the next one needs them."""
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at 180° - alpha
+A hits B: along i
+given deflection(A) > 90°
+find minimum of angle(velocity(A), velocity(B)) over e
+"""
+    printed = " ".join(to_text(explain(restitution.solve(parse(text)))).split())
+    assert "v = −eu cos α" in printed
+    assert "2α" in printed

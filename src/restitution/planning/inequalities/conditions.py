@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal
 
 import sympy as sp
@@ -96,8 +96,8 @@ class Conditions:
         self.scene = worths.scene
         self.solver = worths.solver
         self.judge = worths.judge
-        self._lines: list[int] | None = None
-        self._story: list[int] | None = None
+        self._lines: dict[int, Relation] | None = None
+        self._story: dict[int, Relation] | None = None
 
     def clear(self) -> None:
         """Forgets what has been taken away again."""
@@ -105,26 +105,29 @@ class Conditions:
 
     def story(self, wanted: Expression | None = None) -> list[int]:
         """What has to be, or there are no such impacts, in letters."""
-        if self._story is None:
-            self._story = [
-                line
-                for fact in self.scene.desk.facts
-                if fact.id.startswith(_OF_THE_STORY) and self.scene.desk.holds(fact.id)
-                for line in (self.condition(fact, wanted),)
-                if line is not None
-            ]
-        return self._story
+        if not self._stand(self._story):
+            facts = (fact for fact in self.scene.desk.facts if fact.id.startswith(_OF_THE_STORY))
+            own = (fact for fact in facts if self.scene.desk.holds(fact.id))
+            self._story = self._written(own, wanted)
+        return [*(self._story or ())]
 
     def lines(self, wanted: Expression | None = None) -> list[int]:
         """The given inequalities, in letters and solved as far as one line does it."""
-        if self._lines is None:
-            self._lines = [
-                line
-                for fact in self.inequalities()
-                for line in (self.condition(fact, wanted),)
-                if line is not None
-            ]
-        return self._lines
+        if not self._stand(self._lines):
+            self._lines = self._written(self.inequalities(), wanted)
+        return [*(self._lines or ())]
+
+    def _written(self, facts: Iterable[Fact], wanted: Expression | None) -> dict[int, Relation]:
+        numbers = (self.condition(fact, wanted) for fact in facts)
+        return {n: self.scene.desk.relation(n) for n in numbers if n is not None}
+
+    def _stand(self, lines: Mapping[int, Relation] | None) -> bool:
+        """Whether lines stand on the desk still: who went back has taken them away."""
+        known = self.scene.desk.lines
+        return lines is not None and all(
+            number <= len(known) and known[number - 1].relation == relation
+            for number, relation in lines.items()
+        )
 
     def inequalities(self) -> Iterator[Fact]:
         """The given inequalities that speak of the motion."""

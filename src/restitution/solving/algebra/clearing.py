@@ -8,6 +8,7 @@ from collections.abc import Set as AbstractSet
 import sympy as sp
 
 from restitution.errors import UnsupportedError
+from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import Role
 from restitution.records import dataclass
 from restitution.solving.algebra.cosines import gathered, has_cosines
@@ -49,13 +50,13 @@ def in_range(angle: sp.Expr, role: Role) -> sp.Expr:
     return angle
 
 
-def angle_of(c: sp.Expr, s: sp.Expr) -> sp.Expr:
+def angle_of(c: sp.Expr, s: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     """The angle of a cosine and a sine, from −180° to 180°."""
     if vanishing(c):
         return sp.pi / 2 if definite(s) >= 0 else -sp.pi / 2
     if c.is_number and s.is_number:
         return sp.atan2(rational_below(s), rational_below(c))
-    if definite(c) > 0:
+    if definite(c) > 0 or Oracle(roles).proves(compared(c, ">=", sp.Integer(0))):
         return sp.atan(neat(s / c))
     return sp.atan2(s, c)
 

@@ -178,7 +178,7 @@ def _solved(
                 if c is None or s is None:
                     continue
                 q = scale[symbol]
-                values[symbol.name] = in_range(q * angle_of(c, s), roles[symbol.name])
+                values[symbol.name] = in_range(q * angle_of(c, s, roles), roles[symbol.name])
                 known_angles[symbol.name] = _multiple_of(q, c, s)
             elif symbol in assignment:
                 values[symbol.name] = assignment[symbol]

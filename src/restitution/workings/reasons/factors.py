@@ -76,10 +76,12 @@ def _cancelled(above: Relation, line: Relation, cited: frozenset[str]) -> Expres
         before, after = map(_residual, own)
         numerator, _ = sp.fraction(sp.cancel(before / after))
         _, factor = sp.factor_list(numerator)
-        if any(base.is_Add for base, _ in factor):
-            factor = [e for e in factor if not e[0].is_Symbol or e[0].name in cited]
-        bases = [base**power for base, power in factor]
-        return exchanged(tree_of(bases[0]), back) if len(bases) == 1 else None
+        whole = [(exchanged(tree_of(base**power), back), base) for base, power in factor]
+        if any(base.is_Add for _, base in whole):
+            # Of the factor of which something is cited, that is why it is not zero.
+            about = [e for e in whole if letters(e[0]) & cited]
+            whole = about or [e for e in whole if not e[1].is_Symbol]
+        return whole[0][0] if len(whole) == 1 else None
     except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None
 
