@@ -105,7 +105,7 @@ A hits B: along i
 given energy_lost = (1-e^2)/3 energy(A, 0)
 find k
 """,
-        ("k = ½, as 0 ≤ e < 1",),
+        ("kmu²/(2(1 + k)) = mu²/6, as 0 ≤ e < 1", "k = ½"),
     ),
     "an angle that falls out": (
         """

@@ -135,7 +135,7 @@ def test_an_impulse_that_is_asked_as_a_vector_has_its_size_by_the_components() -
     )
     assert "impulse on P = 0.5((−1.6𝐢 + 4.8𝐣) − 8𝐢)" in text
     assert "= (−4.8𝐢 + 2.4𝐣) N s" in text
-    assert "magnitude of the impulse = 2.4√(2² + 1²) = 12√5/5" in text
+    assert "magnitude of the impulse = √(4.8² + 2.4²) = 12√5/5" in text
 
 
 def test_a_place_is_not_taken_backwards_from_a_point_reached_later() -> None:

@@ -170,7 +170,7 @@ def test_two_velocities_that_stand_as_vectors_have_their_angle_at_once() -> None
         part b
         find angle(velocity(P), velocity(Q))
         """,
-        ["(b)", "by the scalar product, with 𝐯_P and 𝐯_Q from part (a):", "= 2√5/5"],
+        ["(b)", "𝐯_Q. By the scalar product, with 𝐯_P and 𝐯_Q from part (a):", "= 2√5/5"],
     )
     assert "component" not in text[text.index("(b)") :]
 
@@ -245,3 +245,160 @@ def test_a_component_of_the_data_by_an_angle_is_worked_out() -> None:
         """,
         ["component of 𝐮_A along 𝐢 = 10 × ⅘ = 8 m s⁻¹", "along 𝐢 = −13 × (12/13) = −12 m s⁻¹"],
     )
+
+
+def test_a_factor_is_cancelled_under_the_condition_of_the_answer() -> None:
+    text = printed_with(
+        """
+        wall V: along i
+        wall W: along j
+        sphere Q: mass 2m, velocity v at alpha to V
+        Q hits V: e = f
+        Q hits W: e = f
+        given energy_lost(1) = 3 energy_lost(2)
+        find alpha
+        """,
+        [
+            "mv²(1 − f²) sin²α = 3mv²(1 − f²) cos²α",
+            "mv² sin²α = 3mv² cos²α, as 0 ≤ f < 1",
+            "tan²α = 3",
+            "tan α = √3",
+        ],
+    )
+    assert "Solving" not in text
+
+
+def test_a_cosine_that_is_none_is_rejected_by_its_range() -> None:
+    printed_with(
+        """
+        wall W: along i
+        sphere P: mass m, velocity u at beta to W
+        P hits W
+        given 8 cos(beta)^2 + 4 sqrt(2) cos(beta) = 7
+        find cos(beta)
+        """,
+        [
+            "By the quadratic formula: cos β = (4 − √2)/4 or cos β = −(4 + √2)/4",
+            "cos β = (4 − √2)/4 ≈ 0.646, as cos β ≥ −1",
+        ],
+    )
+
+
+def test_figures_that_would_be_rounded_otherwise_are_one_more() -> None:
+    """3.9 cos 35° is 3.1947, and 3.19."""
+    printed_with(
+        """
+        sphere A, B: mass 0.18
+        sphere A: velocity 4 at 35°
+        sphere B: at rest
+        A hits B: along i, e = 0.95
+        find speed(B), impulse
+        """,
+        ["w = 3.9 cos 35° ≈ 3.195 m s⁻¹", "speed of B = 3.9 cos 35° ≈ 3.1947 ≈ 3.19 m s⁻¹"],
+    )
+
+
+def test_an_angle_that_has_its_words_just_above_is_by_the_scalar_product() -> None:
+    printed_with(
+        """
+        sphere A: mass 2, velocity 3i + 4j
+        sphere B: mass 4, velocity i - 2j
+        A hits B: along j, e = 1/2
+        find angle(velocity(A), velocity(B))
+        """,
+        ["Let β be the angle between 𝐯_A and 𝐯_B. By the scalar product: cos β = (3 − 2)/("],
+    )
+
+
+def test_among_decimals_a_measured_value_is_one_too() -> None:
+    text = printed_with(
+        """
+        sphere A: mass 2, velocity i + 5j
+        sphere B: mass 5, velocity 2i + j
+        A hits B
+        given velocity(A) = 4i + j
+        find velocity(B), e
+        """,
+        [
+            "𝐯_B = (0.8𝐢 + 2.6𝐣) m s⁻¹",
+            "= 3.4 m s⁻¹",
+            "= −0.4 m s⁻¹",
+            "1.6 + 1.6 = e(3.4 + 0.4)",
+            "e = 16/19",
+        ],
+    )
+    assert "17/5" not in text
+    printed_with(
+        """
+        sphere A: mass 1, velocity 7i + j
+        sphere B: mass 2, at rest
+        A hits B: along 3i + 4j, e = 4/5
+        find velocity(A)
+        """,
+        ["= (7𝐢 + 𝐣) − 1.2(3𝐢 + 4𝐣) = (3.4𝐢 − 3.8𝐣) m s⁻¹"],
+    )
+
+
+def test_a_value_put_in_brings_no_heading_back() -> None:
+    text = printed_with(
+        """
+        wall X: along i
+        wall Y: along j
+        sphere Q: velocity -4i - 6j
+        Q hits X: e = e1
+        Q hits Y: e = e2
+        given velocity(Q) = i + 2j
+        find e1, e2, velocity(Q, 1)
+        """,
+        ["e₁ = ⅓", "e₂ = ¼", "Substituting for e₁ in (1):", "𝐯₁ = (−4𝐢 + 2𝐣) m s⁻¹"],
+    )
+    assert text.count("First impact") == 1
+
+
+def test_the_sense_along_a_wall_stands_before_the_first_coordinate() -> None:
+    printed_with(
+        """
+        point N: (9, 1)
+        wall W: along i, through (0, 0)
+        sphere P: at (0, h), velocity u at 45° to W
+        P hits W: e = 1/3
+        P reaches N
+        find h
+        """,
+        ["P first moves along W in the direction of 𝐢", "x-coordinate of P at the impact = h"],
+    )
+
+
+def test_an_answer_that_a_later_item_needs_stands_where_that_has_it() -> None:
+    problem = parse("""
+        point T: (8, 4)
+        wall W: along i, through (0, 0)
+        sphere P: at (0, 2), velocity u at alpha to W
+        P hits W: e = 1/2
+        P reaches T
+        given time(2) = 2
+        find time(1), position(P, 1)
+        """)
+    text = to_text(explain(solve(problem), check=True))
+    assert text.count("t₁ = ⅖ s") == 1
+    assert "= (8/5, 0) m" in text
+    assert "1.6" not in text
+    assert "not written out" not in text
+
+
+def test_a_path_makes_an_angle_with_a_line_of_centres_by_an_offset() -> None:
+    text = printed_with(
+        """
+        sphere P: mass 2, velocity 4 j, radius 3
+        sphere Q: mass 2, at rest, radius 3
+        P hits Q: offset -s
+        given direction(Q) = 60°, direction(P) = 120°
+        find s, e
+        """,
+        [
+            "so 𝐯_P makes 120° − 60° = 60° with the line of centres: tan 60° = 2/v",
+            "v = 2√3/3 m s⁻¹",
+            "e = ⅓",
+        ],
+    )
+    assert "𝐧" not in text

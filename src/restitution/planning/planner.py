@@ -66,6 +66,7 @@ from restitution.planning.routes.refusals import note_of, write_refusal
 from restitution.planning.shows.kept_letters import write_in_its_letters
 from restitution.planning.unfinished import (
     answer_of,
+    end_where_standing,
     note_unwritten,
     require_followed,
     write_unfinished,
@@ -440,6 +441,7 @@ def _write_items(scene: Scene, statuses: dict[str, int], last: int) -> None:
                     raise
                 statuses[name] += 1
     scene, solver = whole
+    end_where_standing(scene.desk, statuses)
     scene.desk.waiting = dict(solver.waiting) if scene.desk.withheld else {}
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import partial
 
 from restitution.explaining.data.facts import links_of, staged
@@ -89,6 +89,21 @@ def note_unwritten(
     answers = between.join(answer.display for answer in result.distinct)
     reason = outcome if result.kind == "show" else answers
     desk.note(name, "unwritten", reason, premises=tuple(premises), claim=claim)
+
+
+def end_where_standing(desk: Desk, names: Collection[str]) -> None:
+    """Ends items whose steps were not written out at the line that a later one has written."""
+    for note in [note for note in desk.notes if note.kind == "unwritten" and note.item in names]:
+        if note.claim is None or len(note.claim.options) != 1:
+            continue
+        ends = note.claim.only[0].left, note.claim.only[-1].right
+        for line in desk.lines:
+            match line.relation:
+                case Relation((links,)) if (links[0].left, links[-1].right) == ends:
+                    if all(link.sign == "=" for link in (*links, *note.claim.only)):
+                        desk.notes.remove(note)
+                        desk.end(note.item, line.number, note.claim)
+                        break
 
 
 def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int) -> Relation | None:
@@ -191,4 +206,4 @@ def _given(scene: Scene, given: GivenEquation) -> Iterator[int]:
     yield write_given(scene, given)
 
 
-__all__ = ["note_unwritten", "require_followed", "write_unfinished"]
+__all__ = ["end_where_standing", "note_unwritten", "require_followed", "write_unfinished"]

@@ -73,6 +73,7 @@ from restitution.workings.naming.measured import (
     percentage,
     terms_as_decimals,
     to_figures,
+    to_figures_before,
     to_three_figures,
     with_unit,
 )
@@ -228,7 +229,7 @@ class Chains:
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
             case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
                 trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
-        return self._decimals.put(trees)
+        return self._decimals.put(trees, measured=bool(self._measures.unit(links[0].left)))
 
     def _draft(self, line: Line, links: tuple[Link, ...]) -> Draft:
         """The sides as they are set by themselves, with figures for values that are on paper."""
@@ -324,7 +325,13 @@ class Chains:
         line, links, trees, idle = draft.line, draft.links, draft.trees, draft.idle
         sides, signs = draft.sides, draft.signs
         put = trees[-1] if len(links) in draft.in_figures else None
+        exact = sides[-1]
         self._ended(line, links, sides, signs, put)
+        decimals = sides[-1] != exact and has_decimals(sides[-1]) and "≈" not in signs
+        if decimals and is_vector(trees[0]) and len(sides) == len(trees):
+            # A vector of decimals has such above it as well: 1.2(3i + 4j).
+            worked = map(self._decimals.in_decimals, trees[1:-1])
+            sides[1:-1] = map(self._naming.layout, worked)
         self._placed(line, links, sides, signs)
         # Behind figures a value is not written once more exactly.
         for n in range(len(sides) - 1, 0, -1):
@@ -603,8 +610,10 @@ class Chains:
             awkward = (has_plain_angles(x) or self._figures.is_of_roots(x) for x in point)
             if self._figures.with_calculator and any(awkward):
                 del shown[:-1]
-        if decimals and [sign for _, sign in shown[1:]] == ["="]:
-            shown = shown[:1]
+        if [sign for _, sign in shown[1:]] == ["="]:
+            # Nobody writes a place twice.
+            kept = decimals or self._decimals.keeps_fractions(link.right)
+            shown = shown[:1] if kept else shown[1:]
         if is_plain(self._naming.layout(link.right)):
             unit = self._measures.unit(line.relation.options[0][0].left)
             last, sign = shown[-1]
@@ -650,7 +659,7 @@ class Chains:
                 vector = sign == "=" and is_vector(left)
                 if side != sides[-1] and (vector or not (sign == "=" and has_decimals(sides[-1]))):
                     if sign == "≈" and self._goes_into_numbers(line, right):
-                        four = to_figures(right, self._figures.count(right))
+                        four = to_figures_before(right, self._figures.count(right), side)
                         if four is not None and four not in (side, sides[-1]):
                             sides.append(four)
                             signs.append(sign)

@@ -538,7 +538,7 @@ class _Writer:
             return
         if line.move.record in _OF_THE_WHOLE:
             return
-        again = line.move.id == "define" and not _is_before(line)
+        again = line.move.id in ("define", "put", "rearrange") and not _is_before(line)
         if number in self.entered and (again or line.move.record == "impulse"):
             return
         if event.kind != "arrival":

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from restitution.explaining.data.paths_and_lines import in_degrees, turn_of_vector
 from restitution.explaining.data.setting import Setting
 from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.derivation import Line, Link, Meaning, Relation
@@ -44,6 +45,17 @@ class OffsetAngle:
         """The direction of the line of centres by a letter for the angle."""
         own: Expression = Letter(letter)
         return Polar(Number(Fraction(1)), Negate(own) if self.right else own, self.path)
+
+    def turn(self, size: Expression) -> Fraction | None:
+        """The angle from **i** of the line of centres, in degrees, by the ``size`` of that angle.
+
+        None where the path has no such angle, or the size is no number of degrees.
+        """
+        path = turn_of_vector(self.path)
+        turns = [None if tree is None else in_degrees(tree) for tree in (path, size)]
+        if turns[0] is None or turns[1] is None:
+            return None
+        return turns[0] - turns[1] if self.right else turns[0] + turns[1]
 
 
 def offset_angle(link: Link, roles: Mapping[str, Role]) -> OffsetAngle | None:

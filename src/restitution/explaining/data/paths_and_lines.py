@@ -28,12 +28,14 @@ def turn_of_path(velocity: Fact | None) -> Expression | None:
 
     A velocity along **i** or **j** has one too.
     """
-    right = None if velocity is None else velocity.relation.only[-1].right
+    return None if velocity is None else turn_of_vector(velocity.relation.only[-1].right)
+
+
+def turn_of_vector(right: Expression) -> Expression | None:
+    """The angle from **i** of a vector by an angle, or along **i** or **j**; None of another."""
     match right:
         case Polar(_, angle, None, None):
             return angle if _is_plain(angle) else _worked_out(angle)
-        case None:
-            return None
     units = {node.axis for node in walk(right) if isinstance(node, Unit)}
     if units not in ({"i"}, {"j"}) or any(isinstance(node, Polar) for node in walk(right)):
         return None
@@ -155,4 +157,5 @@ __all__ = [
     "in_degrees",
     "turn_of_line",
     "turn_of_path",
+    "turn_of_vector",
 ]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from restitution.explaining.data.offset_angles import named_angles
 from restitution.explaining.data.paths_and_lines import in_degrees
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.lines.derivation import Event, Link
@@ -19,6 +20,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Quantity,
@@ -115,12 +117,16 @@ def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:
 def to_slanted_centres(step: Step, event: Event | None) -> Iterator[Link]:
     """The tangent of the angle of a path to a line of centres, both told in degrees from **i**.
 
-    A path at 30° makes 75° with a line at −45°, which is the tangent of its components there.
+    A path at 30° makes 75° with a line at −45°, which is the tangent of its components there. A
+    line of centres by an offset is told by the letter of its angle, which has a value.
     """
     if event is None or event.wall:
         return
     axis = Quantity("line_of_centres", (), event.number)
     turns = [in_degrees(e.right) for e in step.links if e.left == axis and e.sign != "!="]
+    for meaning, own in named_angles(step.lets, step.links, step.setting):
+        named = (e for e in step.links if e.left == Letter(meaning.letter) and e.sign == "=")
+        turns += [own.turn(e.right) for e in named] if own.axis == axis else []
     for link in step.links:
         match link:
             case Link(Quantity("direction", (Name(body),), int(stage)), "=", right) if (

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from restitution.explaining.data.offset_angles import offset_angle
 from restitution.explaining.data.paths_and_lines import in_degrees, turn_of_line
-from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Apply, Binary, Degrees, Name, Quantity
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.expression.tree import Apply, Binary, Degrees, Letter, Name, Quantity
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import negative, swept, tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.solving.story.letters import roles
 
 
 def write_to_centres(scene: Scene, given: GivenEquation, own: Quantity) -> int | None:
@@ -27,10 +29,14 @@ def write_to_centres(scene: Scene, given: GivenEquation, own: Quantity) -> int |
     if scene.model.frames[event].wall is not None or scene.frame(event).across is not None:
         return None
     line = turn_of_line(scene.facts.get(f"axis {event}"))
-    turns = [None if e is None else in_degrees(e) for e in (given.link.right, line)]
-    if turns[0] is None or turns[1] is None:
+    turn = None if line is None else in_degrees(line)
+    axis: tuple[Ref, ...] = (f"axis {event}",)
+    if line is None:
+        turn, axis = _turn_by_its_letter(scene, event)
+    path = in_degrees(given.link.right)
+    if path is None or turn is None:
         return None
-    size: Fraction = (turns[0] - turns[1]) % 180
+    size: Fraction = (path - turn) % 180
     if size % 90 == 0:
         return None
     along, across = (
@@ -40,8 +46,22 @@ def write_to_centres(scene: Scene, given: GivenEquation, own: Quantity) -> int |
     tangent = Apply("tan", Degrees(size if size < 90 else 180 - size))
     right = Binary("/", above if size < 90 else negative(above), tree_of(along.value))
     relation = chain(tangent, (swept(right), None))
-    pool = together(given.refs, along.whole, across.whole, (f"axis {event}",))
+    pool = together(given.refs, along.whole, across.whole, axis)
     return scene.judge.write((Move("define", "tan-direction", event, (body,)),), pool, relation)
+
+
+def _turn_by_its_letter(scene: Scene, event: int) -> tuple[Fraction | None, tuple[Ref, ...]]:
+    """The angle from **i** of a line of centres by an offset, where its letter has a value.
+
+    With what says so.
+    """
+    fact, letter = scene.facts.get(f"axis {event}"), scene.model.frames[event].angle
+    own = None if fact is None else offset_angle(fact.relation.only[0], roles(scene.problem))
+    known = None if letter is None else scene.desk.known(Letter(letter.name))
+    if own is None or known is None:
+        return None, ()
+    turn = own.turn(tree_of(known.value, angle=True))
+    return turn, together(scene.frame(event).refs, known.refs)
 
 
 __all__ = ["write_to_centres"]

@@ -87,7 +87,7 @@ from restitution.planning.writing.polynomials import (
     polynomial_in,
     polynomial_without,
 )
-from restitution.planning.writing.premises import background, nonzero, not_negative
+from restitution.planning.writing.premises import background, conditions, nonzero, not_negative
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
 from restitution.work import remembered
@@ -183,8 +183,11 @@ def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
     if symbol not in numerator((sides[0] - sides[1]) / whole).free_symbols:
         return number  # the sum that goes is all that has the unknown
     left, right = (tree_of(tidy(side / whole)) for side in sides)
+    if isinstance(left, Negate) and isinstance(right, Negate):
+        left, right = left.operand, right.operand
     relation = chain(left, (right, None))
-    known = background(scene, symbol_names(whole))
+    names = symbol_names(whole)
+    known = (*conditions(scene, names), *background(scene, names))
     refs = scene.judge.enough(Move("cancel"), (number,), relation, known)
     return number if refs is None else scene.desk.write(Move("cancel"), refs, relation)
 

@@ -8,6 +8,8 @@ import sympy as sp
 
 from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Ref
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import letters
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.polynomials import derivative, factored
@@ -26,6 +28,16 @@ def background(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
         elif (text := range_text(scene, name)) is not None:
             refs.append(text)
     return tuple(refs)
+
+
+def conditions(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
+    """The conditions of letters that are in force, such as that of an answer."""
+    known = frozenset(names)
+    return tuple(
+        fact.id
+        for fact in scene.facts.values()
+        if fact.kind == "case" and all(letters(tree) <= known for tree in trees_of(fact.relation))
+    )
 
 
 def not_negative(scene: Scene, size: sp.Expr) -> tuple[Ref, ...]:

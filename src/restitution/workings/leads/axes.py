@@ -93,9 +93,11 @@ def with_axes(steps: Sequence[Step], sentences: tuple[Sentence, ...]) -> Iterato
 
 
 def has_axes(value: Any) -> bool:
-    """Whether **i** or **j** stands in what is printed."""
+    """Whether **i** or **j** stands in what is printed, or a coordinate."""
     if isinstance(value, lay.Bold):
         return value in AXES
+    if isinstance(value, str):
+        return "-coordinate" in value
     if isinstance(value, tuple | list):
         return any(map(has_axes, value))
     if is_dataclass(value) and not isinstance(value, type):

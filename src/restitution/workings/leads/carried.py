@@ -50,6 +50,7 @@ _PHRASES: frozenset[SentenceId] = _PUTTING | {
     *_PUTTING_VALUES.values(),
     "derived-between.title-of",
     "derived-between.title-turned",
+    "given.by-the-product",
     "flight.time-to-rest",
     "flight.time-to-rest-until",
     "flight.add",

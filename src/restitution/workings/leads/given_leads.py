@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from restitution.explaining.data.offset_angles import offset_angle
 from restitution.explaining.data.paths_and_lines import angle_between, turn_of_line
 from restitution.explaining.definitions.ties import past_a_right_angle, tie_of
 from restitution.explaining.lines.derivation import (
@@ -27,6 +28,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Pair,
     Polar,
@@ -43,6 +45,7 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.shapes import Circle
+from restitution.solving.story.letters import roles
 from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.leads import Leads
 from restitution.workings.leads.lines_around import is_at_rest
@@ -363,7 +366,7 @@ class GivenLeads(Leads):
         ``30° + 45° = 75°`` of a path at 30° and a line at −45°. None where the line is by **i**.
         """
         axis = self._derivation.fact(" ".join(("axis", str(line.move.event))))
-        turn = turn_of_line(axis)
+        turn = turn_of_line(axis) or self._turn_by_its_letter(line, axis)
         match line.relation, fact.relation:
             case (
                 Relation(((Link(Apply("tan", Degrees() as angle), "="), *_),)),
@@ -375,6 +378,18 @@ class GivenLeads(Leads):
         if between is None:
             return self._naming.layout(angle)
         return self._naming.relation(equality(between, angle))
+
+    def _turn_by_its_letter(self, line: Line, axis: Fact | None) -> Expression | None:
+        """The angle from **i** of a line of centres by an offset, of which a line has the angle."""
+        known = roles(self._naming.problem)
+        own = None if axis is None else offset_angle(axis.relation.only[0], known)
+        for cited in self._derivation.lines_in(line.premises):
+            match cited.relation:
+                case Relation(((Link(Letter(), "=", Degrees() as size),),)) if own is not None:
+                    turn = own.turn(size)
+                    if turn is not None:
+                        return Degrees(turn) if turn >= 0 else Negate(Degrees(-turn))
+        return None
 
     def _is_of_both_velocities(self, ref: Ref) -> bool:
         """Whether a fact is about two velocities, as those before and after an impact."""

@@ -109,6 +109,10 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
                 # What only a calculator knows stands above, in figures.
                 own = None if has_plain_angles(value) else equality(velocity, value)
                 sides.append(naming.layout(velocity) if own is None else naming.relation(own))
+            above = derivation.line(line.number - 1)
+            named = above is not None and isinstance(above.relation, Meaning)
+            if named and sides == list(map(naming.layout, pair)):
+                return say("given.by-the-product")  # the words for the angle stand just above
             return say("derived-between.title-of", one=sides[0], other=sides[1])
     return None
 

@@ -369,6 +369,18 @@ def to_figures(tree: Expression, figures: int) -> lay.Layout | None:
     return lay.decimal_number(value, figures) if value.is_real else None
 
 
+def to_figures_before(tree: Expression, figures: int, rounded: lay.Layout) -> lay.Layout | None:
+    """A number to so many figures, that are rounded to a value next to it; None for what is none.
+
+    Of 3.1947 these are not 3.195, which would give 3.20.
+    """
+    own = to_figures(tree, figures)
+    if isinstance(own, lay.Number) and isinstance(rounded, lay.Number):
+        again = lay.decimal_number(sp.Rational(own.digits), _FIGURES)
+        return own if again == rounded else to_figures(tree, figures + 1)
+    return own
+
+
 def multiple_in_figures(tree: Expression, figures: int) -> lay.Layout | None:
     """A number, or a multiple of letters by one, to so many figures: 0.6343u; None of a sum."""
     value = worth(tree)

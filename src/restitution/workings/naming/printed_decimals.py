@@ -6,7 +6,15 @@ from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Link
 from restitution.explaining.lines.trees import exchanged, rebuilt, trees_of
-from restitution.expression.tree import Binary, Expression, Number, letters, unsigned, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Number,
+    is_binary,
+    letters,
+    unsigned,
+    walk,
+)
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.naming.measured import as_decimal
@@ -35,10 +43,15 @@ class PrintedDecimals:
         # Vectors that stand as decimals: there a typed fraction is one as well.
         self._vectors: dict[Expression, Expression] = {}
 
-    def put(self, trees: list[Expression]) -> list[Expression]:
-        """The sides of a chain with these decimals; what they come to is a decimal too."""
+    def put(self, trees: list[Expression], *, measured: bool = False) -> list[Expression]:
+        """The sides of a chain with these decimals; what they come to is a decimal too.
+
+        So is what any ``measured`` quantity comes to, which has a unit, where no fraction stands.
+        """
         if not self._printed:
             return trees
+        if measured and not self._as_fractions and self._is_short(trees[-1]):
+            self._note(trees[-1])
         own = [rebuilt(exchanged(tree, self._vectors), self._decimal) for tree in trees]
         if own == trees:
             return trees
@@ -47,9 +60,16 @@ class PrintedDecimals:
             self._note(trees[-1])
         return own
 
+    def _is_short(self, tree: Expression) -> bool:
+        """Whether a value is a fraction of at most two decimals."""
+        own = unsigned(tree)
+        value = _fractions(own)[:1] if is_binary(own, "/") else []
+        return any(100 % e.denominator == 0 for e in value)
+
     def keeps_fractions(self, tree: Expression) -> bool:
-        """Whether a vector has a fraction that stands above as one, or below a vector of such."""
-        return bool(self._as_fractions.intersection(map(abs, _fractions(tree))))
+        """Whether a vector has fractions, and all of them stand above as such."""
+        own = set(map(abs, _fractions(tree)))
+        return bool(own) and own <= self._as_fractions
 
     def note(self, link: Link, tree: Expression, side: lay.Layout, sign: str) -> None:
         """Notes the components of a vector, or a number, that a row has as decimals now."""
@@ -65,6 +85,16 @@ class PrintedDecimals:
         elif sign == "=" and "." not in to_text(side) and not letters(link.right):
             own = unsigned(link.right)
             self._as_fractions |= {abs(value) for value in _fractions(own) if value.denominator > 2}
+
+    def in_decimals(self, tree: Expression) -> Expression:
+        """A tree with decimals for its fractions, but for those that were typed."""
+        return rebuilt(tree, self._untyped)
+
+    def _untyped(self, tree: Expression) -> Expression:
+        match tree:
+            case Binary("/", Number(above), Number(below)) if above / below not in self._typed:
+                return as_decimal(tree)
+        return tree
 
     def _note(self, tree: Expression) -> None:
         self._printed |= {abs(value) for value in _fractions(tree)} - self._typed

@@ -54,7 +54,7 @@ from restitution.workings.reasons.plain_signs import (
 from restitution.workings.reasons.positive import PositiveReasons
 from restitution.workings.reasons.pythagoras import OF_VALUES, is_by_pythagoras, pythagoras
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
-from restitution.workings.reasons.rejected_roots import made_of_a_root
+from restitution.workings.reasons.rejected_roots import bound_of_a_ratio, made_of_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO
 from restitution.workings.reasons.shares import bounded_factors
@@ -251,6 +251,9 @@ class Reasons(PositiveReasons):
             reasons = () if grounds else (unit,)
         if line.move.id == "reject" and (not reasons or self._by_its_own_sign(line)):
             reasons = (*self._positive(line), *reasons)
+        if line.move.id == "reject" and not reasons:
+            bound = bound_of_a_ratio(self._derivation, line)
+            reasons = () if bound is None else (self._layout(bound),)
         return reasons
 
     def _in_words(self, line: Line, reasons: Words) -> tuple[Sentence, ...]:

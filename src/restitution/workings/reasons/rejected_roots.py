@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 import sympy as sp
 
@@ -17,10 +18,10 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Negate, Unit
+from restitution.expression.tree import Apply, Negate, Number, Unit, is_function, letters
 from restitution.render import layout as lay
 from restitution.workings.naming.figures import Figures, is_by_calculator
-from restitution.workings.naming.measured import vector_worth
+from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.rejected import (
     bound_broken,
@@ -116,4 +117,22 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
     return say("circle.ahead", body=body, axis=axis)
 
 
-__all__ = ["made_of_a_root", "root_on_a_rim"]
+def bound_of_a_ratio(derivation: Derivation, line: Line) -> Relation | None:
+    """``cos α ≥ −1``, where that excludes the roots of a sine or a cosine that a line rejects."""
+    above = derivation.line(line.premises[0]) if len(line.premises) == 1 else None
+    if above is None or not isinstance(above.relation, Relation):
+        return None
+    assert isinstance(line.relation, Relation)
+    dropped = [option[-1] for option in above.relation.options if option != line.relation.only]
+    ratio = line.relation.only[0].left
+    if not is_function(ratio, "sin", "cos") or any(letters(link.right) for link in dropped):
+        return None
+    values = [worth(link.right) for link in dropped]
+    if values and all(bool(value < -1) for value in values):
+        return Relation(((Link(ratio, ">=", Negate(Number(Fraction(1)))),),))
+    if values and all(bool(value > 1) for value in values):
+        return Relation(((Link(ratio, "<=", Number(Fraction(1))),),))
+    return None
+
+
+__all__ = ["bound_of_a_ratio", "made_of_a_root", "root_on_a_rim"]
