@@ -257,6 +257,23 @@ def test_what_is_open_beside_an_item_is_not_known_either() -> None:
     assert "too little is given: e is not known either." in words
 
 
+@pytest.mark.parametrize(
+    ("item", "reason"),
+    [
+        ("energy_lost as a percentage", "a percentage needs a ratio"),
+        ("range of e\ngiven velocity(B) > 1", "vectors cannot be compared by size"),
+    ],
+)
+def test_what_is_asked_amiss_has_no_working_and_no_mark(item: str, reason: str) -> None:
+    solution, derivation = planned(
+        SPHERES.format(u=5, v=1, e=": e = e").replace(": e", ", e") + f"find {item}"
+    )
+    assert [note.kind for note in derivation.notes] == ["unsolved"]
+    last = printed(solution).partition("There is no working of ")[2]
+    assert reason in last and "B1" not in last
+    assert not printed(solution).endswith("?.")
+
+
 def changed(relation: Relation | Meaning) -> Relation:
     """A line that says twice as much as it should."""
     assert isinstance(relation, Relation)

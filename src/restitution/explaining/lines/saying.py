@@ -81,7 +81,8 @@ def operand(sentence: Sentence) -> Layout:
 
 def note(warning: str) -> str:
     """A warning as it stands under a working."""
-    return str(say("page.note", warning=warning.removesuffix(".")))
+    stop = "" if warning.endswith("?") else "."
+    return str(say("page.note", warning=warning.removesuffix(".") + stop))
 
 
 @lru_cache(maxsize=1024)

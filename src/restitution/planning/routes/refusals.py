@@ -13,6 +13,7 @@ from restitution.errors import (
     ImpossibleError,
     MissingError,
     RestitutionError,
+    StatementError,
     TimeLimitError,
     UnboundedError,
     UnsupportedError,
@@ -36,6 +37,7 @@ _KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
     (ImpossibleError, "impossible"),
     (TimeLimitError, "unsolved"),
     (UnsupportedError, "unsolved"),
+    (StatementError, "unsolved"),
 )
 
 

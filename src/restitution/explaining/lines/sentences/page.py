@@ -20,7 +20,7 @@ SENTENCES: Mapping[str, str] = {
     "so": "So",
     "again": " again",
     "page.title": "Worked solution",
-    "page.note": "Note: {warning}.",
+    "page.note": "Note: {warning}",
     "amiss.complaint": "the working does not follow: {complaint}",
     "amiss.pictures": "the pictures could not be drawn, by a fault of the program",
     "mark.method": "a principle or a method, with its values put in",
