@@ -350,3 +350,4 @@ def test_a_quotient_with_the_root_of_a_negative_number_for_some_letters_is_answe
     (answer,) = item.distinct
     f = next(s for s in answer.value.free_symbols if s.name == "f")
     assert answer.value.subs(f, sp.Rational(1, 3)) == 0
+    assert answer.condition == ("3*f > 1",)  # without the root of a sum of squares

@@ -611,6 +611,7 @@ def test_a_quotient_of_quotients_is_one_fraction_before_both_sides_multiply_out(
     )
     one = "(1 + f) tan α/(f − tan²α) = f²/tan α (1 + f) tan²α = f³ − f² tan²α"
     assert one in words
+    assert "= 90° if" not in words  # with f = 0 it would not leave the wall
 
 
 TURNED_APART = """
@@ -630,3 +631,20 @@ def test_the_root_of_a_square_in_the_quadratic_formula_is_worked_out() -> None:
 def test_factors_with_roots_stand_side_by_side_in_brackets() -> None:
     words = in_a_row(f"{TURNED_APART}given theta = 60°\nfind e")
     assert "(−√2 eu(√2 eu) + √2 u(√2 u))/((√2 eu)² + (√2 u)²)" in words
+
+
+def test_components_in_proportion_are_equal_quotients() -> None:
+    words = in_a_row(
+        "wall X: along i\nwall Y: along j\nsphere P: mass m, velocity 3u i - 5u j\n"
+        "P hits X: e = e\nP hits Y: e = f\ngiven velocity(P) parallel to velocity(P, 0)\n"
+        "find f in terms of e"
+    )
+    assert "so their components are in proportion: 3fu/(3u) = 5eu/(5u)" in words
+
+
+def test_the_square_of_a_sine_comes_of_the_tangent_by_an_identity() -> None:
+    words = in_a_row(
+        "wall V: along i\nsphere S: mass m, velocity u at beta to V\nS hits V\n"
+        "given deflection(S) = 90°\nshow energy_lost/energy(0) = 1 - e"
+    )
+    assert "sin²β = 1/(1 + e), as 1/sin²β = 1 + 1/tan²β" in words

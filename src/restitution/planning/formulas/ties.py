@@ -32,8 +32,9 @@ from restitution.planning.formulas.velocity_formulas import (
 )
 from restitution.planning.formulas.whereabouts import source_of
 from restitution.planning.writing.desk import NotPlannedError, Source, link, together
-from restitution.planning.writing.forms import ONE, ZERO, product, square, total, tree_of
+from restitution.planning.writing.forms import ONE, ZERO, product, square, swept, total, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.vector import Vector
@@ -148,6 +149,13 @@ def _two_velocities(
         if line is not None:
             return line
     refs = together(equation.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
+    quotients = _in_proportion((a, b), (c, d)) if record == "parallel" else None
+    if quotients is not None:
+        names = letters(quotients.left) | letters(quotients.right)
+        ratio = Relation(((quotients,),))
+        cites = scene.judge.enough(move, refs, ratio, background(scene, names))
+        if cites is not None:
+            return scene.desk.write(move, cites, ratio)
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     relation = Relation(((own,),))
     # Components after another event are named by the line of centres of that.
@@ -156,6 +164,31 @@ def _two_velocities(
     ]
     refs = scene.judge.enough(move, refs, relation, other) or refs
     return scene.desk.write(move, refs, relation)
+
+
+def _in_proportion(one: tuple[Source, Source], other: tuple[Source, Source]) -> Link | None:
+    """Components in the same direction as quotients, which are equal: ``fu/u = eu/(2u)``.
+
+    Those of the velocity with fewer letters stand below. None where one is a sum, or zero.
+    """
+    values = [sp.sympify(source.value, strict=True) for source in (*one, *other)]
+    if any(value == 0 or value.is_Add or value.has(sp.Add) for value in values):
+        return None
+    above, below = values[:2], values[2:]
+    if len(sp.Tuple(*below).free_symbols) > len(sp.Tuple(*above).free_symbols):
+        above, below = below, above
+    minus = [
+        top.could_extract_minus_sign() != bottom.could_extract_minus_sign()
+        for top, bottom in zip(above, below, strict=True)
+    ]
+    if any(minus) and not all(minus):
+        return None
+    sides = [
+        Binary("/", *(tree_of(-x if x.could_extract_minus_sign() else x) for x in pair))
+        for pair in zip(above, below, strict=True)
+    ]
+    left, right = map(swept, sides)
+    return link(left, right)
 
 
 def _without_what_stays(

@@ -658,8 +658,13 @@ def _simpler(base: Oracle, inequality: Relation) -> Relation | None:
         value *= factor if sign is None else sign
     if value.is_number and value.is_positive:
         return None
-    if operator == ">" and value.is_Pow and value.exp == sp.S.Half:
-        value = value.base
+    for root in [x for x in sp.Mul.make_args(value) if x.is_Pow and x.exp == sp.S.Half]:
+        # A root is positive where the rest is, unless what stands below it may be zero there.
+        rest = value / root
+        if operator == ">" and rest == 1:
+            value = root.base
+        elif operator == ">" and _follows(base, Relation(root.base, ">"), [Relation(rest, ">")]):
+            value = rest
     return Relation(value, operator)
 
 

@@ -52,7 +52,12 @@ from restitution.workings.reasons.plain_signs import (
     bounds_said,
 )
 from restitution.workings.reasons.positive import PositiveReasons
-from restitution.workings.reasons.pythagoras import OF_VALUES, is_by_pythagoras, pythagoras
+from restitution.workings.reasons.pythagoras import (
+    OF_VALUES,
+    is_by_pythagoras,
+    pythagoras,
+    square_by_the_tangent,
+)
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
 from restitution.workings.reasons.rejected_roots import bound_of_a_ratio, made_of_a_root
 from restitution.workings.reasons.right_angles import RightAngles
@@ -162,6 +167,9 @@ class Reasons(PositiveReasons):
             if identity is not None:
                 return (say("derived.as", reasons=(self._layout(identity),)),)
             return (say("derived.pythagoras"),)
+        by_the_tangent = square_by_the_tangent(self._derivation, line)
+        if by_the_tangent is not None:
+            return (say("derived.as", reasons=(self._layout(by_the_tangent),)),)
         if self._by_the_double_angle(line):
             return (say("derived.double-angle"),)
         vertical = self._right_angles.of(line)

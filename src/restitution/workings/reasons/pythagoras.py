@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from itertools import chain
 
-from restitution.explaining.lines.derivation import Derivation, Line, Relation, equality
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equality
 from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
 from restitution.expression.tree import Apply, Binary, Expression, Number, letters, walk
 from restitution.planning.writing.forms import square
@@ -66,6 +66,28 @@ def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
     (angle,) = angles
     squares = Binary("+", square(Apply("sin", angle)), square(Apply("cos", angle)))
     return equality(squares, Number(Fraction(1)))
+
+
+def square_by_the_tangent(derivation: Derivation, line: Line) -> Relation | None:
+    """The identity by which the square of a sine or a cosine comes of that of the tangent.
+
+    None of another line, and of one with numbers alone: tan²α = 3/16 is a triangle.
+    """
+    match line.relation:
+        case Relation(
+            ((Link(Binary("^", Apply("sin" | "cos" as name, angle), Number(2)), "="), *_),)
+        ) if line.move.id == "triangle" and letters(line.relation.only[-1].right):
+            pass
+        case _:
+            return None
+    one, tangent = Number(Fraction(1)), square(Apply("tan", angle))
+    for own in derivation.lines_in(line.premises):
+        match own.relation:
+            case Relation(((Link(left, "="), *_),)) if left == tangent:
+                over = Binary("/", one, square(Apply(name, angle)))
+                rest = tangent if name == "cos" else Binary("/", one, tangent)
+                return equality(over, Binary("+", one, rest))
+    return None
 
 
 def _ratios(trees: Iterable[Expression]) -> set[Apply]:

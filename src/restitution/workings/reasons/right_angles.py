@@ -45,6 +45,7 @@ from restitution.oracle import Formula, Oracle, Role, compared
 from restitution.oracle import Relation as Claim
 from restitution.planning.writing.forms import factors_above, tree_of
 from restitution.records import dataclass
+from restitution.shapes import Circle
 from restitution.workings.naming.in_force import inequalities
 from restitution.workings.naming.quantities import Naming
 
@@ -350,8 +351,20 @@ class RightAngles:
         assert isinstance(line.relation, Relation)
         match line.relation.options:
             case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
+                if self._comes_off_a_circle(line):
+                    return None
                 return self._pole_at(line, angle, line.relation.only[0].right)
         return None
+
+    def _comes_off_a_circle(self, line: Line) -> bool:
+        """Whether a body leaves a circular wall, as the story goes on: along it, it could not."""
+        events = self._naming.events
+        event = events.get(line.move.event or 0)
+        circles = {w.name for w in self._naming.problem.walls if isinstance(w.shape, Circle)}
+        if event is None or event.bodies[-1] not in circles:
+            return False
+        later = (own for number, own in events.items() if number > event.number)
+        return any(own.bodies[0] == event.bodies[0] for own in later)
 
     def _pole_at(self, line: Line, angle: Expression, value: Expression) -> _Pole | None:
         """Where an angle has no tangent, of which a side of a line is the value."""
