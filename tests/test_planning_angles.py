@@ -345,8 +345,25 @@ find deflection(B)
 """,
             ("tan β = (8u/5)/(11u/20) = 32/11", "180° − (90° − arctan(3/4)) − arctan(32/11)"),
         ),
+        (
+            """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = e
+given speed(P) = 1/2 speed(P, 0)
+find alpha
+""",
+            (
+                "cos α = √((1 − 4e²)/(1 − e²))/2, as α is acute",
+                "α = arccos(√((1 − 4e²)/(1 − e²))/2)",
+            ),
+        ),
     ],
-    ids=["the tangent of a direction that is given", "the complement of an angle with a ratio"],
+    ids=[
+        "the tangent of a direction that is given",
+        "the complement of an angle with a ratio",
+        "an angle by the cosine that a line gives in letters",
+    ],
 )
 def test_angles_are_worked_out_by_their_tangents(statement: str, lines: tuple[str, ...]) -> None:
     printed_with(statement, lines)

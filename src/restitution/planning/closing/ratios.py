@@ -549,18 +549,28 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     final = acute_angle(tidy_angle(scene.final(symbol)), scene.model.sign)
     if len(scene.desk.relation(line).options) > 1:
         return final
+    plain = _of_its_ratio(scene, line, symbol)
+    # The direction of a vector in letters has no other form that a line could have.
+    if plain is not None and (not plain.free_symbols or scene.final(symbol).atoms(sp.atan2)):
+        return plain
     link = scene.desk.last_link(line)
     match link.left:
-        case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
-            ratio_ = scene.scalar(link.right)
-            # The direction of a vector in letters has no other form that a line could have.
-            if not ratio_.free_symbols or scene.final(symbol).atoms(sp.atan2):
-                return (sp.acos if kind == "cos" else sp.asin)(ratio_)
         case Apply("tan", Letter(name)) if name == symbol.name:
             ratio_ = scene.scalar(link.right)
             if is_in_degrees(ratio_) or isinstance(final, sp.asin | sp.acos):
                 return sp.atan(ratio_)
     return final
+
+
+def _of_its_ratio(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr | None:
+    """An angle as the inverse cosine, or sine, that a line gives; None of another line."""
+    if len(scene.desk.relation(line).options) > 1:
+        return None
+    link = scene.desk.last_link(line)
+    match link.left:
+        case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
+            return (sp.acos if kind == "cos" else sp.asin)(scene.scalar(link.right))
+    return None
 
 
 def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:
@@ -573,6 +583,12 @@ def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = (
     if known.startswith("acute"):
         others = background(scene, symbol_names(value)) if value.free_symbols else ()
         refs = scene.judge.enough(move, (line, known), relation, others)
+        plain = _of_its_ratio(scene, line, symbol) if refs is None else None
+        if plain is not None:
+            # Its tangent is shorter, but no line says it.
+            own = chain(Letter(symbol.name), (tree_of(plain, angle=True, as_it_is=True), None))
+            refs = scene.judge.enough(move, (line, known), own, others)
+            value, relation = (value, relation) if refs is None else (plain, own)
         written = scene.desk.write(move, refs or (line, known), relation)
         return known_as(scene, symbol, value, written)
     for more in ((), *((side,) for side in sides)):
