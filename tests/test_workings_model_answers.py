@@ -402,3 +402,30 @@ def test_a_path_makes_an_angle_with_a_line_of_centres_by_an_offset() -> None:
         ],
     )
     assert "𝐧" not in text
+
+
+def test_a_speed_has_the_figures_with_which_an_energy_goes_on() -> None:
+    printed_with(
+        """
+        wall V: along i
+        wall W: along j
+        sphere P: mass 0.4, velocity 5 at 40° to V
+        P hits V: e = 0.6
+        P hits W: e = 0.5
+        find speed(P), total_energy_lost/energy(0)
+        """,
+        ["≈ 2.7178 ≈ 2.72 m s⁻¹", "(5² − 2.7178²)/5² ≈ 0.705"],
+    )
+
+
+def test_no_root_of_a_long_number_is_the_size_of_a_velocity() -> None:
+    text = printed_with(
+        """
+        sphere A: mass 2, velocity 3i - j
+        sphere B: mass 3, velocity -i
+        A hits B: along 3i - 4j, e = 1/5
+        find speed(A), speed(B), angle(velocity(A), velocity(B))
+        """,
+        ["speed of A", "≈ 1.82 m s⁻¹", "≈ 1.23 m s⁻¹", "≈ −0.5178", "≈ 121°"],
+    )
+    assert "√51994" not in text

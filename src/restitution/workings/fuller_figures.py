@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
-from restitution.expression.tree import Expression, letters, walk
+from restitution.expression.tree import (
+    Expression,
+    has_quantity,
+    is_binary,
+    is_function,
+    letters,
+    walk,
+)
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figures import Figures, has_plain_angles
-from restitution.workings.naming.measured import multiple_in_figures
+from restitution.workings.naming.measured import multiple_in_figures, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sums_in_degrees import degrees_of, is_inverse
 
@@ -38,13 +47,28 @@ def goes_into_numbers(derivation: Derivation, ends: Ends, line: Line, value: Exp
     """Whether lines below have in them the value of an answer that only a calculator knows."""
     if not has_plain_angles(value) or letters(value) or ends.of(line) is None:
         return False
-    return any(
-        value in walk(tree)
+    nodes = {
+        node
         for own in derivation.lines
         if own.number > line.number
         if own.shown != "silent" and own.move.id not in ("value", "answer")
         for tree in own.relation.trees
-    )
+        for node in walk(tree)
+    }
+    return value in nodes or any(_is_root_of(node, value) for node in nodes)
+
+
+def _is_root_of(node: Expression, value: Expression) -> bool:
+    """Whether a root, perhaps over a number, is a speed that is written by its components."""
+    root = node.left if is_binary(node, "/") else node
+    if not (is_function(root, "sqrt") and is_function(value, "sqrt")):
+        return False
+    if letters(node) or has_quantity(node) or not has_plain_angles(node):
+        return False
+    return bool(abs(sp.N(worth(node) - worth(value))) < _SAME)
+
+
+_SAME = 1e-9
 
 
 __all__ = ["goes_into_numbers", "one_figure_more"]

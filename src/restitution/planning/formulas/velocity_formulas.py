@@ -314,7 +314,7 @@ def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
 
 
 def size_that_stands(scene: Scene, body: str, stage: int) -> Expression | None:
-    """The size of a velocity, where a line or the question gives it; None of one that is a sum."""
+    """The size of a velocity that a line or the question gives; None of a sum, or a long root."""
     if scene.last_event(body, stage):
         known = known_speed(scene, body, stage)
         size = known.value if known is not None else None
@@ -322,9 +322,9 @@ def size_that_stands(scene: Scene, body: str, stage: int) -> Expression | None:
         fact = scene.facts.get(f"velocity {body}")
         given = fact.relation.only[0].right if fact is not None else None
         size = scene.put(scene.scalar(given.size))[0] if isinstance(given, Polar) else None
-    if size is None or sp.sympify(size, strict=True).has(sp.Add, sp.Abs):
-        return None
-    return tree_of(size)
+    value = sp.sympify(size or 0, strict=True)
+    long = any(root.base.is_Integer and root.base >= 10000 for root in value.atoms(sp.Pow))
+    return None if size is None or long or value.has(sp.Add, sp.Abs) else tree_of(size)
 
 
 def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
