@@ -472,3 +472,21 @@ def test_a_time_of_three_ways_that_is_asked_is_their_sum_where_places_rest_on_th
     assert "along(position(P, 3), i) = 27/2 + 3*8 = 75/2 [rearrange]" in lines
     assert "time(3) = 1/2 + 4 + 8 = 25/2 [rearrange]" in lines
     assert not any("time(3) - time(1)" in line for line in lines)
+
+
+def test_particles_that_collide_are_at_one_point() -> None:
+    lines = said(
+        working(
+            """
+            sphere A: mass 1, velocity 4i, at (0, 0)
+            sphere B: mass 1, at rest, at (0, 0)
+            wall W: along j, through (3, 0)
+            A hits B: along i, e = 0.4
+            B hits W: e = 1/2
+            A hits B: e = 1/2
+            find distance(A, B), time(3)
+            """
+        )
+    )
+    assert "distance(A, B, 3) = 0" in lines
+    assert not any("velocity(A, 3)" in line for line in lines)

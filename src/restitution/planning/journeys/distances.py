@@ -33,7 +33,15 @@ from restitution.planning.journeys.places import (
 )
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
-from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.place_trees import (
     AXES,
     Axis,
@@ -56,8 +64,10 @@ def distance(scene: Scene, asked: Quantity) -> Source:
         together_ = _distance_since_contact(scene, asked)
         if together_ is not None:
             return together_
-    elif (together_ := _distance_at_an_event(scene, asked)) is not None:
-        return together_
+    else:
+        for by_contact in (_at_their_contact, _distance_at_an_event):
+            if (together_ := by_contact(scene, asked)) is not None:
+                return together_
     length = _as_a_path(scene, asked)
     if length is not None:
         return length
@@ -303,6 +313,17 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
         return None
     early = time_of(scene, met)
     return _since_contact(scene, asked, met, time_since(scene, asked.stage.time, met, early))
+
+
+def _at_their_contact(scene: Scene, asked: Quantity) -> Source | None:
+    """That two particles are at one point where they collide; None of any other distance."""
+    names = [argument.name for argument in asked.arguments if isinstance(argument, Name)]
+    stage = asked.stage
+    if not isinstance(stage, int) or len(names) != 2 or not _are_together(scene, stage, names):
+        return None
+    relation = chain(asked, (ZERO, None))
+    number = scene.judge.write((Move("define", "distance"),), (f"contact {stage}",), relation)
+    return None if number is None else scene.desk.know(asked, sp.Integer(0), (number,))
 
 
 def _distance_at_an_event(scene: Scene, asked: Quantity) -> Source | None:

@@ -297,6 +297,11 @@ def distance_title(derivation: Derivation, naming: Naming, line: Line) -> Senten
     if resting is not None:
         return say("flight.rest", body=resting)
     match line.relation:
+        case Relation(((Link(Quantity("distance", _, int(event)), "=", right),),)) if is_zero(
+            right
+        ) and line.premises == (f"contact {event}",):
+            bodies = naming.events[event].bodies
+            return say("distance.none", bodies=bodies, event=naming.moment(event))
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event and not _is_a_coordinate(derivation, line)
         ):

@@ -242,6 +242,7 @@ SENTENCES: Mapping[str, str] = {
     "distance.together": (
         "{bodies:and} are together {event}, so distance apart = relative speed × time"
     ),
+    "distance.none": "With the spheres as particles {bodies:and} are together {event}",
     "distance.level-together": (
         "Perpendicular to the line of centres {one} and {other} keep level, so distance apart = "
         "relative speed along it × time"
