@@ -648,3 +648,16 @@ def test_the_square_of_a_sine_comes_of_the_tangent_by_an_identity() -> None:
         "given deflection(S) = 90°\nshow energy_lost/energy(0) = 1 - e"
     )
     assert "sin²β = 1/(1 + e), as 1/sin²β = 1 + 1/tan²β" in words
+    words = in_a_row(
+        "wall V: along j\nsphere S: mass 2m, velocity w at phi\nS hits V\n"
+        "given deflection(S) = 90°\nshow tan(phi)^2 = e\nfind energy_lost in terms of m, w, e"
+    )
+    assert "cos²φ = 1/(1 + e), as sin²φ + cos²φ = 1" in words
+
+
+def test_a_speed_along_one_line_has_no_root() -> None:
+    words = in_a_row(
+        "sphere P: mass m, velocity u i\nsphere Q: mass 5m, at rest\n"
+        "P hits Q: along i\nfind speed(P)/speed(Q)"
+    )
+    assert "speed of P = |(1 − 5e)u/6| = u|1 − 5e|/6" in words

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Move, Ref, Relation
 from restitution.expression.tree import (
@@ -21,6 +22,25 @@ from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+
+
+def is_squared(scene: Scene, quantity: Quantity) -> bool:
+    """Whether an equation that is given has a speed that is not asked: both sides are squared."""
+    sides = (side for given in scene.given for side in (given.link.left, given.link.right))
+    tied = any(quantity in walk(side) for side in sides)
+    return tied and quantity not in scene.asked_alone
+
+
+def root_of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
+    """The root of one square whose base has a certain sign; None of anything else.
+
+    A square of roots of letters is multiplied out, as a reader cannot see what it is the square of.
+    """
+    if not is_binary(tree, "^"):
+        return None
+    base = scene.scalar(tree.left)
+    sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
+    return tidy(sign * base) if sign else None
 
 
 def is_in_a_sum(scene: Scene, quantity: Quantity) -> bool:
@@ -71,4 +91,10 @@ def _bounds(scene: Scene, names: frozenset[str]) -> Iterator[int]:
             yield line.number
 
 
-__all__ = ["is_in_a_sum", "of_given_sign", "of_one_component"]
+__all__ = [
+    "is_in_a_sum",
+    "is_squared",
+    "of_given_sign",
+    "of_one_component",
+    "root_of_one_square",
+]

@@ -8,7 +8,6 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.components.telling import without_bars
-from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.exact.symbols import atoms_in
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
@@ -27,7 +26,6 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
-    is_binary,
     is_function,
     is_quantity,
     letters,
@@ -40,8 +38,10 @@ from restitution.planning.formulas.impacts import blown, in_direction
 from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.formulas.speeds_of_one_component import (
     is_in_a_sum,
+    is_squared,
     of_given_sign,
     of_one_component,
+    root_of_one_square,
 )
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
@@ -379,7 +379,7 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
         if needed is not None:
             return Formula(move, itself, quantity, right, size, needed)
     tree, value, refs = squares(scene, body, stage)
-    size = _of_one_square(scene, tree) or tidy(sp.sqrt(tidy(expanded(value))))
+    size = root_of_one_square(scene, tree) or tidy(sp.sqrt(tidy(expanded(value))))
     if len({atom.args for atom in atoms_in(value, sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda value: value.count_ops())
@@ -395,7 +395,7 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
             signed := of_given_sign(scene, move, quantity, base, refs)
         ) is not None:
             return Formula(move, itself, quantity, *signed)
-        case Binary("^", base, _) if quantity in scene.asked_alone and size.has(sp.Abs):
+        case Binary("^", base, _) if size.has(sp.Abs) and not is_squared(scene, quantity):
             bars = Apply("abs", base)  # which way it goes is open
             if scene.judge.follows(move, refs, chain(quantity, (bars, None))):
                 right = bars
@@ -513,18 +513,6 @@ def _stands(scene: Scene, component: Quantity) -> bool:
     if known is None or scene.unknown(known.value):
         return False
     return not scene.put(known.value)[1]
-
-
-def _of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
-    """The root of one square whose base has a certain sign; None of anything else.
-
-    A square of roots of letters is multiplied out, as a reader cannot see what it is the square of.
-    """
-    if not is_binary(tree, "^"):
-        return None
-    base = scene.scalar(tree.left)
-    sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
-    return tidy(sign * base) if sign else None
 
 
 def _with_factor_outside(square_: sp.Expr) -> sp.Expr:

@@ -81,6 +81,9 @@ def square_by_the_tangent(derivation: Derivation, line: Line) -> Relation | None
         case _:
             return None
     one, tangent = Number(Fraction(1)), square(Apply("tan", angle))
+    squares = [square(Apply(ratio, angle)) for ratio in ("sin", "cos")]
+    if all(any(link.left == own for link in line.relation.only) for own in squares):
+        return equality(Binary("+", *squares), one)  # of both it is seen by their sum
     for own in derivation.lines_in(line.premises):
         match own.relation:
             case Relation(((Link(left, "="), *_),)) if left == tangent:
