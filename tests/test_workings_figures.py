@@ -468,8 +468,8 @@ def test_a_speed_of_a_calculator_is_a_quotient_of_decimals_and_then_its_figures(
         "given angle(velocity(P), W) = 22°\npart a\nfind e\npart b\n"
         "find speed(P), energy_lost/energy(0) as a percentage"
     )
-    assert "speed of P = (7.5 cos 41°)/cos 22° ≈ 6.105 ≈ 6.10 m s⁻¹" in text
-    assert "percentage lost ≈ (7.5² − 6.105²)/7.5² ≈ 33.7%" in text
+    assert "speed of P = (7.5 cos 41°)/cos 22° ≈ 6.1049 ≈ 6.10 m s⁻¹" in text
+    assert "percentage lost ≈ (7.5² − 6.1049²)/7.5² ≈ 33.7%" in text
 
 
 def test_an_angle_of_an_earlier_part_is_in_degrees_again() -> None:

@@ -70,10 +70,10 @@ from restitution.workings.naming.measured import (
     is_long_quotient,
     is_measure_of_angle,
     is_plain,
+    is_rounded_to,
     percentage,
     terms_as_decimals,
     to_figures,
-    to_figures_before,
     to_three_figures,
     with_unit,
 )
@@ -659,7 +659,9 @@ class Chains:
                 vector = sign == "=" and is_vector(left)
                 if side != sides[-1] and (vector or not (sign == "=" and has_decimals(sides[-1]))):
                     if sign == "≈" and self._goes_into_numbers(line, right):
-                        four = to_figures_before(right, self._figures.count(right), side)
+                        four = to_figures(right, self._figures.count(right))
+                        if not is_rounded_to(four, side):
+                            four = to_figures(right, self._figures.one_more(right))
                         if four is not None and four not in (side, sides[-1]):
                             sides.append(four)
                             signs.append(sign)

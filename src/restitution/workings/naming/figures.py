@@ -198,6 +198,12 @@ class Figures:
         own = self._finer.get(_digits_of(tree)) if self._finer else None
         return own or FIGURES_BETWEEN
 
+    def one_more(self, tree: Expression) -> int:
+        """One figure more than that, which the value is to have from where it stands first."""
+        more = self.count(tree) + 1
+        self.wanted[_digits_of(tree)] = more
+        return more
+
     def _figures_of(self, tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
         return figures_of(tree, max(figures, self.count(tree)))
 

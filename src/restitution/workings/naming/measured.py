@@ -369,16 +369,11 @@ def to_figures(tree: Expression, figures: int) -> lay.Layout | None:
     return lay.decimal_number(value, figures) if value.is_real else None
 
 
-def to_figures_before(tree: Expression, figures: int, rounded: lay.Layout) -> lay.Layout | None:
-    """A number to so many figures, that are rounded to a value next to it; None for what is none.
-
-    Of 3.1947 these are not 3.195, which would give 3.20.
-    """
-    own = to_figures(tree, figures)
-    if isinstance(own, lay.Number) and isinstance(rounded, lay.Number):
-        again = lay.decimal_number(sp.Rational(own.digits), _FIGURES)
-        return own if again == rounded else to_figures(tree, figures + 1)
-    return own
+def is_rounded_to(figures: lay.Layout | None, value: lay.Layout) -> bool:
+    """Whether a number in figures has such a value to three, as 3.195, and not 3.1947, has 3.20."""
+    if not isinstance(figures, lay.Number) or not isinstance(value, lay.Number):
+        return True
+    return lay.decimal_number(sp.Rational(figures.digits), _FIGURES) == value
 
 
 def multiple_in_figures(tree: Expression, figures: int) -> lay.Layout | None:
