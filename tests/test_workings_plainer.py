@@ -650,7 +650,8 @@ def test_the_square_of_a_sine_comes_of_the_tangent_by_an_identity() -> None:
     assert "sin²β = 1/(1 + e), as 1/sin²β = 1 + 1/tan²β" in words
     words = in_a_row(
         "wall V: along j\nsphere S: mass 2m, velocity w at phi\nS hits V\n"
-        "given deflection(S) = 90°\nshow tan(phi)^2 = e\nfind energy_lost in terms of m, w, e"
+        "given deflection(S) = 90°\nshow tan(phi)^2 = e\nfind energy_lost in terms of m, w, e\n"
+        "find speed(S)/w in terms of e"
     )
     assert "cos²φ = 1/(1 + e), as sin²φ + cos²φ = 1" in words
 
