@@ -128,3 +128,23 @@ find energy_lost"""
 def test_an_energy_of_a_difference_has_its_half(line: str) -> None:
     assert names(LOSS, line) == ["energy-of-difference"]
     assert names(LOSS, "KE lost = 2(9² - 3²) = 144") == ["energy-no-half"]
+
+
+REBOUND = """wall W: along i
+sphere P: mass 3, velocity 4i - 6j
+P hits W: e = 1/2
+find velocity(P), impulse"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "name"),
+    [
+        (
+            ["perp after = 6 ÷ 1/2 = 12", "v = 4i + 12j", "I = 3(12 + 6) = 54"],
+            "restitution-inverted",
+        ),
+        (["v = 4i + 6j", "I = 3(6 + 6) = 36"], "restitution-omitted"),
+    ],
+)
+def test_a_coefficient_of_one_or_more_is_no_datum_misread(lines: list[str], name: str) -> None:
+    assert names(REBOUND, *lines) == [name, *[None] * (len(lines) - 1)]

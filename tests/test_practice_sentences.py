@@ -580,6 +580,11 @@ def test_a_value_behind_a_ratio_is_that_of_its_angle(typed: str) -> None:
     assert verdicts(CORNER + "angle(velocity(P), Y)", "v = i + 2j", wrong)[1] == "false"
 
 
+def test_a_component_behind_a_ratio_is_no_angle() -> None:
+    lines = ["v = i + 2j", "cos θ = 2/√5 so 2 along, 1 across"]
+    assert verdicts(CORNER + "angle(velocity(P), Y)", *lines) == ["true", "true"]
+
+
 @pytest.mark.parametrize(
     ("typed", "other"),
     [
@@ -693,3 +698,41 @@ def test_the_end_of_a_range_as_a_decimal() -> None:
     )
     found = marked(statement, "u²(1 + 3e²)/4 < 9u²/16", "e < 0.645")
     assert found["marks"]["earned"] == found["marks"]["of"]
+
+
+def test_a_number_over_a_fraction_without_brackets() -> None:
+    statement = PAIR.replace("e = 1/3", "e = 1/2") + "deflection(A)"  # v = 3/2 and w = 6
+    lines = ["v = 3/2", "after tan⁻¹(1/3/2) = 33.7", "before tan⁻¹(1/6) = 9.46"]
+    assert verdicts(statement, *lines) == ["true", "true", "true"]
+    assert verdicts(statement, lines[0], "after tan⁻¹(1/2/3) = 33.7")[1] == "false"
+
+
+def test_a_component_and_then_the_vector_of_an_impulse_by_one_letter() -> None:
+    found = marked(WHO_STRIKES_ALONE, "speed of B after = 1", "I = 1(-1 - 4) = -5 so I = -5i")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "true"]
+    states = [p["state"] for p in found["marks"]["points"] if p["line"] == 2]
+    assert set(states) == {"earned"}
+    wrong = verdicts(WHO_STRIKES_ALONE, "speed of B after = 1", "I = 1(1 - 4) = -3 so I = -3i")
+    assert wrong[1] == "false"
+
+
+LETTERS = """sphere A: mass 3m, velocity 2u i + u j
+sphere B: mass m, velocity -2u i + 3u j
+A hits B: along i, e = 1/2
+find speed(A)"""
+
+
+@pytest.mark.parametrize("unit", ["(in u)", "(in terms of u)", "(all in units of u)", "(in u's)"])
+def test_the_unit_of_a_line_stands_behind_it(unit: str) -> None:
+    lines = [f"6 - 2 = 3v + w {unit}", "w - v = 2", "4v = 2, v = 0.5u, w = 2.5u"]
+    assert verdicts(LETTERS, *lines) == ["true", "true", "true"]
+    assert verdicts(LETTERS, f"6 + 2 = 3v + w {unit}", *lines[1:])[0] == "false"
+
+
+def test_titles_of_ratios_and_the_argument_of_a_velocity() -> None:
+    statement = "wall W: along i\nsphere P: velocity 5i - 4j\nP hits W: e = 1/2\nfind speed(P)"
+    assert verdicts(statement, "arg v = 21.8 deg") == ["true"]
+    slanting = PAIR.replace("along i", "along 4i + 3j").replace("-3i + 4j", "0i + 0j")
+    slanting = slanting.replace("6i + j", "5i").replace("velocity 0i + 0j", "at rest")
+    line = "angle between 5i and LOC: cosθ = 4/5"
+    assert verdicts(slanting + "speed(A)", line, "along before = 5cosθ = 4") == ["true", "true"]

@@ -23,9 +23,26 @@ from restitution.problem import Compare, Find, Given, Problem, Show
 
 
 def misread_problems(problem: Problem, datum: Fraction, typed: Fraction) -> Iterator[Problem]:
-    """The problem with ``typed`` in place of one number that is ``datum``, each in turn."""
+    """The problem with ``typed`` in place of one number that is ``datum``, each in turn.
+
+    Nobody misreads a coefficient of restitution as 1 or more: it is left out then, or inverted.
+    """
+    before = [_coefficient(event) for event in problem.events]
     for wanted in range(_count(problem, datum)):
-        yield _Exchange(datum, typed, wanted).of(problem)
+        own = _Exchange(datum, typed, wanted).of(problem)
+        after = [_coefficient(event) for event in own.events]
+        if not any(new >= 1 > old for old, new in zip(before, after, strict=True)):
+            yield own
+
+
+def _coefficient(event: object) -> Fraction:
+    """The number that the coefficient of an impact is; zero where it is none."""
+    match getattr(event, "e", None):
+        case Number(value):
+            return value
+        case Binary("/", Number(above), Number(below)) if below:
+            return above / below
+    return Fraction(0)
 
 
 def left_for_lost(problem: Problem) -> Iterator[tuple[Fraction, Fraction]]:

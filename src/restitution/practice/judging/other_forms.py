@@ -96,6 +96,11 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
     for exchange in [put, *(single if len(put) > 1 else [])] if put else []:
         left, right = (exchanged(side, exchange) for side in (claim.left, claim.right))
         yield replace(claim, left=left, right=right)
+    # I = -5 so I = -5i: of one letter the component first
+    match claim.left:
+        case Letter(name) if is_quantity(on := meanings.get(name), "impulse") and on.arguments:
+            along = Quantity("along", (on, Quantity("line_of_centres", (), on.stage)))
+            yield from (replace(claim, left=tree) for tree in (along, Negate(along)))
 
 
 def of_known_speeds(claim: Claim, world: World) -> Iterator[Claim]:

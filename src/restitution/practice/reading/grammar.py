@@ -188,6 +188,9 @@ class Parser(Cursor):
         if wide and self.is_within() and not self.choose("division"):
             inner = self.take()
             below = Binary("/", below, self.signed_factor(), place=self.place(inner))
+        elif self.is_over_fraction(above, below) and self.choose("fraction below a number"):
+            inner = self.take()
+            below = Binary("/", below, self.factor(), place=self.place(inner))
         if self.begins_factor() and self.kind() not in ("unit", "phrase"):
             whole = self.wants_whole(above, first)
             if self.choose("quotient") ^ whole:
@@ -199,6 +202,11 @@ class Parser(Cursor):
                     inner = self.take()
                     below = Binary("/", below, self.signed_factor(), place=self.place(inner))
         return Binary("/", above, below, place=self.place(sign))
+
+    def is_over_fraction(self, above: Expression, below: Expression) -> bool:
+        """Whether three numbers stand below each other: ``4/95/16`` may be 4 by 95/16."""
+        numbers = isinstance(above, Number) and isinstance(below, Number)
+        return numbers and self.is_within() and self.kind(1) == "number"
 
     def is_within(self) -> bool:
         """Whether a line of a quotient stands next that belongs to a denominator: ``¼ / 1/2``."""

@@ -160,6 +160,16 @@ _IN_UNITS = re.compile(
     r"(?:(?:are|is|both|all)\s+){0,2}"
     r"(?:in\s+terms\s+of|in\s+units\s+of|(?:as\s+)?multiples\s+of)\s+([A-Za-z])\b\)?"
 )
+# The same behind an equation: ``6 - 2 = 3v + w (in u)``.
+_IN_UNITS_BEHIND = re.compile(
+    r"\(\s*(?:all\s+)?in\s+(?:(?:terms|units|multiples)\s+of\s+)?([A-Za-z])(?:'?s)?\s*\)\s*$"
+)
+_ARGUMENT = re.compile(r"\barg\s*\(?\s*[uvwV](?:_?[A-Z])?\s*\)?(?=\s*=)")
+# The title of a ratio: ``angle between 5i and LOC: cosθ = 4/5``.
+_TITLE_OF_RATIO = re.compile(
+    rf"\bangle\s+between\s+(?:{_VECTOR}|[-−]?\s?[\d./√]*[a-z]?\s?[ij])\s+and\s+(?:the\s+)?"
+    r"(?:LOC|loc|line\s+of\s+centres|wall|[ijn]|[A-Z])\s*:\s*(?=(?:cos|sin|tan))"
+)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
@@ -428,6 +438,9 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
     (_IN_UNITS, _unit_of_letters),
+    (_IN_UNITS_BEHIND, _unit_of_letters),
+    (_ARGUMENT, lambda _, __: "angle"),
+    (_TITLE_OF_RATIO, lambda _, __: ""),
     (shares.SIZE_OF_A_VECTOR, shares.size_of_a_vector),
     (shares.SHARE_OF_ENERGY, shares.share_of_energy),
     (shares.LOST, shares.lost),

@@ -59,6 +59,8 @@ _OF_A_SHARE = re.compile(
 _STAGED = re.compile(rf"\s*({'|'.join(sorted(STAGES))})\b\s*(?:,|;|and\b)", re.IGNORECASE)
 _DIVIDING = frozenset(("divide", "divided", "dividing"))
 _INFERRING = frozenset(("so", "hence", "therefore", "thus", "giving", "gives", "=>", "==>", "->"))
+# What may stand behind an angle; 6 along is none.
+_AT_THE_END = re.compile(r"\s*(?:$|[,;.)]|(?:to|with|from|above|below)\b)")
 _GIVING = frozenset(("gives", "giving", "get", "leaves", "leaving", "->", ":"))
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
@@ -405,9 +407,9 @@ class _Reader(Chains):
     def _angle_of_ratio(self, segment: Segment) -> Expression | None:
         """The angle whose sine, cosine or tangent stands before: ``tan θ = 0.56 so 29.2°``."""
         kinds = [token.kind for token in segment.tokens]
-        inferred = (
-            bool(set(segment.before) & _INFERRING) and not set(segment.before) & STAGES.keys()
-        )
+        words = set(segment.before)
+        inferred = bool(words & _INFERRING) and not words & STAGES.keys()
+        inferred = inferred and bool(_AT_THE_END.match(self.line.text, segment.tokens[-1].end))
         if kinds != ["number", "degrees"] and not (kinds == ["number"] and inferred):
             return None
         for link in reversed(self.links):
