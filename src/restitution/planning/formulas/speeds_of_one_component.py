@@ -25,8 +25,10 @@ from restitution.planning.writing.scene import Scene
 
 
 def is_squared(scene: Scene, quantity: Quantity) -> bool:
-    """Whether an equation that is given has a speed that is not asked: both sides are squared."""
-    sides = (side for given in scene.given for side in (given.link.left, given.link.right))
+    """Whether a speed that is not asked stands in what is given: both sides are squared."""
+    desk = scene.desk
+    given = (e for e in desk.facts if e.kind in ("given", "range") and desk.holds(e.id))
+    sides = (side for fact in given for side in fact.relation.trees)
     tied = any(quantity in walk(side) for side in sides)
     return tied and quantity not in scene.asked_alone
 
