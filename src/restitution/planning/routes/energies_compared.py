@@ -12,7 +12,7 @@ import sympy as sp
 
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ENERGIES
-from restitution.expression.tree import Expression, Quantity, has_quantity, walk
+from restitution.expression.tree import Expression, Quantity, has_quantity, is_binary, walk
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.writing.desk import UNPLANNED, chain
@@ -43,8 +43,8 @@ class InSquares:
 def energies_in_squares(scene: Scene, equation: GivenEquation) -> dict[Expression, InSquares]:
     """The energies of an equation as sums of squares of sines and cosines, by their quantities.
 
-    Nothing where a term of it is no energy, where an energy is not homogeneous in both ratios of
-    one angle, or is asked for itself.
+    Nothing where a term of it is no energy, or a ratio of two, where one is not homogeneous in
+    both ratios of one angle, or is asked for itself.
     """
     sides = (equation.link.left, equation.link.right)
     energies = [
@@ -56,6 +56,10 @@ def energies_in_squares(scene: Scene, equation: GivenEquation) -> dict[Expressio
     without: dict[Expression, Expression] = dict.fromkeys(energies, ZERO)
     rests = [exchanged(side, without) for side in sides]
     if not energies or any(energy in scene.asked_alone for energy in energies):
+        return {}
+    if any(
+        is_binary(node, "/") and has_quantity(node.right) for side in sides for node in walk(side)
+    ):
         return {}
     if any(map(has_quantity, rests)) or any(map(scene.scalar, rests)):
         return {}

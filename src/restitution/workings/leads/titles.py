@@ -140,6 +140,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             return product_title(self._derivation, self._naming, line)
         if (vector := self._by_products_with(line)) is not None:
             return say("restitution.products-with", vector=self._naming.layout(vector))
+        if (vector := self._vector_of_products(line)) is not None:
+            return say("restitution.length", vector=self._naming.layout(vector))
         slope = slope_title(self._naming, line)
         return slope or self._turned(line) or self._along_the_line(line)
 
@@ -526,6 +528,21 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             return None
         vectors = [links[-1].right for links in own if links[-1].sign == "parallel to"]
         return next((e for e in vectors if not _has_one_component(e)), None)
+
+    def _vector_of_products(self, line: Line) -> Expression | None:
+        """The vector of which scalar products stand in a law of restitution; None without these.
+
+        It is no unit vector, and its length is in every term.
+        """
+        if line.move.record not in ("restitution", "restitution-wall"):
+            return None
+        cited = [self._cited(ref) for ref in numbers_in(line.premises)]
+        relations = [own.relation for own in cited if own and isinstance(own.relation, Relation)]
+        for relation in relations:
+            match relation.only[0].left if len(relation.options) == 1 else None:
+                case Quantity("dot", (Quantity("velocity"), vector)):
+                    return vector
+        return None
 
     def _squares(self, line: Line) -> bool:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""

@@ -13,6 +13,7 @@ SENTENCES: Mapping[str, str] = {
         "perpendicular to the wall."
     ),
     "restitution.none": "Newton's experimental law, as the coefficient of restitution is 0",
+    "restitution.length": "Newton's experimental law, from which the length of {vector} cancels:",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "restitution.products-with": "Newton's experimental law, by scalar products with {vector}:",
     "momentum.title": "Conservation of momentum along the line of centres",
