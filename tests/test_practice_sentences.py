@@ -736,3 +736,15 @@ def test_titles_of_ratios_and_the_argument_of_a_velocity() -> None:
     slanting = slanting.replace("6i + j", "5i").replace("velocity 0i + 0j", "at rest")
     line = "angle between 5i and LOC: cosθ = 4/5"
     assert verdicts(slanting + "speed(A)", line, "along before = 5cosθ = 4") == ["true", "true"]
+
+
+def test_ratios_colons_and_centres_that_are_apart() -> None:
+    statement = OFFSET.replace("find speed(A)", "find velocity(A), speed(B)")
+    lines = ["the centres are 2r apart when they touch", "A: across the line ½u (no change)"]
+    assert verdicts(statement, *lines) == ["remark", "true"]
+    assert verdicts(statement, "A: across the line ⅓u") == ["false"]
+    lines = ["v = 2, w = 5", "v : w = 2 : 5"]
+    assert verdicts(PAIR + "velocity(A), velocity(B)", *lines) == ["true", "true"]
+    declared = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    found = marked(PAIR + "velocity(A)", lines[0], "v : w = 3 : 5", **declared)
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false"]

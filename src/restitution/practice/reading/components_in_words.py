@@ -20,7 +20,7 @@ HAS_ALONG = re.compile(
     re.IGNORECASE,
 )
 OF_A_BODY_ALONG = re.compile(
-    r"(^|[,;]|\b(?:and|so)\b)\s*([A-Z])\s+(?:has\s+)?(along|across|parallel\s+to|perp(?:endicular)?\s+to)"
+    r"(^|[,;]|\b(?:and|so)\b)\s*([A-Z])(?:\s*:)?\s+(?:has\s+)?(along|across|parallel\s+to|perp(?:endicular)?\s+to)"
     rf"\s+(?:the\s+)?(?:line(?:\s+of\s+centres)?|LOC)\s*[:,]?\s*{_VALUE}",
 )
 # ``A: 3u in the j direction``, ``B has -2 across the line of centres``

@@ -170,6 +170,9 @@ _TITLE_OF_RATIO = re.compile(
     rf"\bangle\s+between\s+(?:{_VECTOR}|[-−]?\s?[\d./√]*[a-z]?\s?[ij])\s+and\s+(?:the\s+)?"
     r"(?:LOC|loc|line\s+of\s+centres|wall|[ijn]|[A-Z])\s*:\s*(?=(?:cos|sin|tan))"
 )
+# How far apart centres are, which is no component along them.
+_APART = re.compile(r"\b(?:the\s+)?cent(?:re|er)s\s+are\s+[\w./]+\s+apart\b")
+_RATIOS = re.compile(r"^\s*(\w{1,4})\s*:\s*(\w{1,4})\s*=\s*([-−]?\s?\d+)\s*:\s*([-−]?\s?\d+)\s*$")
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
@@ -437,6 +440,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_COORDINATE, lambda match, _: f"{'ij'['xy'.index(match[1].lower())]} component of position"),
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
+    (_APART, lambda _, __: ""),
+    (_RATIOS, lambda match, _: f"{match[1]}/({match[2]}) = ({match[3]})/({match[4]})"),
     (_IN_UNITS, _unit_of_letters),
     (_IN_UNITS_BEHIND, _unit_of_letters),
     (_ARGUMENT, lambda _, __: "angle"),
