@@ -117,7 +117,7 @@ def rule_of(derivation: Derivation, number: int, justify: Collection[str] = ()) 
 
 def marks_of(derivation: Derivation) -> dict[str | None, int]:
     """How many marks stand in each part, by its label, in the order of the parts."""
-    part = part_of_items(derivation)
+    part = derivation.asked
     total: dict[str | None, int] = {}
     for line in derivation.lines:
         label = part.get(line.item or "")
@@ -125,11 +125,6 @@ def marks_of(derivation: Derivation) -> dict[str | None, int]:
     for note in derivation.notes:
         total[note.part] = total.get(note.part, 0) + sum(mark.number for mark in note.marks)
     return total
-
-
-def part_of_items(derivation: Derivation) -> Mapping[str, str | None]:
-    """The label of the part to which each item belongs."""
-    return derivation.asked
 
 
 class _Awarding:
@@ -141,7 +136,7 @@ class _Awarding:
         self.justify = justify
         self.lines = {line.number: line for line in derivation.lines}
         self.place = {line.number: n for n, line in enumerate(derivation.lines)}
-        self.parts = part_of_items(derivation)
+        self.parts = derivation.asked
         self.ends: dict[int, ItemEnd | None] = {item.line: item for item in derivation.items}
         for note in derivation.notes:
             last = max(note.lines, default=0)
