@@ -180,7 +180,7 @@ def test_an_impulse_is_by_velocities_that_stand_and_its_size_by_it() -> None:
     assert shown(derivation, "impulse") == [
         "impulse(P, 1) = 1/4 (156/25 i + 272/25 j - (4i + 12j))",
         "impulse(P, 1) = 14/25 i - 7/25 j",
-        "impulse(1) = 7/25 sqrt(2^2 + 1^2) = 7sqrt(5)/25 [rearrange]",
+        "impulse(1) = sqrt((14/25)^2 + (7/25)^2) = 7sqrt(5)/25 [rearrange]",
     ]
 
 

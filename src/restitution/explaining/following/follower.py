@@ -38,6 +38,7 @@ from restitution.explaining.steps.excluding import excludes, holds_anyway
 from restitution.explaining.steps.signs import Signs
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    Binary,
     Expression,
     Letter,
     Name,
@@ -46,6 +47,7 @@ from restitution.expression.tree import (
     Quantity,
     is_component,
     is_quantity,
+    is_zero,
     letters,
     walk,
 )
@@ -375,11 +377,17 @@ class Reader:
     def _clash_without(trial: Trial, line: Line, ref: Ref) -> bool:
         """Whether the other premises of a line contradict each other.
 
-        Then all follows from them: that the line does tells nothing of this one.
+        Then all follows from them: that the line does, as an equation with twice or half its left
+        side does, tells nothing of this one.
         """
         others = tuple(other for other in line.premises if other != ref)
+        match line.relation:
+            case Relation(((Link(left, "=", right),),)) if not (is_zero(left) or is_zero(right)):
+                wrong = [equality(Binary(sign, left, _TWO), right) for sign in ("*", "/")]
+            case _:
+                return False
         try:
-            return trial.follows(line.move, others, _ABSURD)
+            return any(trial.follows(line.move, others, own) for own in wrong)
         except NotComparableError:
             return False
 
@@ -681,7 +689,7 @@ def _same(line: Relation, answer: Relation) -> bool:
 
 
 _NO_MOVE = Move("let")
-_ABSURD = equality(Number(Fraction(1)), Number(Fraction(0)))
+_TWO = Number(Fraction(2))
 _ORDERED = ("<", "<=", ">", ">=")
 
 

@@ -248,8 +248,6 @@ def _by_the_formula(
         return None
     if coefficients[1] == 0 or len(roots.options) < 2:
         return None  # of a double root there is nothing to put in order
-    if sp.sqrt(tidy(polynomials[0].discriminant())).is_Rational:
-        return None  # no root is left to be put in order
     return _in_two_lines(scene, number, polynomials[0], roots, known, Move("rearrange"))
 
 
