@@ -450,8 +450,9 @@ given deflection(P) = 60°
 find tan(alpha), speed(P)
 """
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
-    link = "= 3/(20 − 4√13) = 3(5 + √13)/((20 − 4√13)(5 + √13)) = (5 + √13)/16"
-    assert f"cos²α = 1/(1 + ((√39 − 2√3)/3)²) {link} sin²α = (11 − √13)/16" in working
+    link = "= 3/(20 − 4√13) = 3(5 + √13)/((20 − 4√13)(5 + √13)) = (15 + 3√13)/48"
+    first = "cos²α = 1/(1 + ((√39 − 2√3)/3)²) = 1/(1 + (17 − 4√13)/3)"
+    assert f"{first} {link} = (5 + √13)/16 sin²α = (11 − √13)/16" in working
 
 
 def test_a_tangent_of_a_sum_with_roots_below_is_multiplied_through_first() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 from restitution.explaining.lines.derivation import Ref, Relation
@@ -25,3 +25,7 @@ class Comparing(Protocol):
 
     def monotone(self, line: int, relation: Relation, bounds: Sequence[Ref] = ()) -> int | None:
         """The ends of what only grows, or only falls, with one letter."""
+
+    def coefficients(self, names: Iterable[str]) -> list[str]:
+        """The coefficients of restitution among some letters."""
+        ...

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import sympy as sp
+
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Move, Relation
 from restitution.expression.quantities import ANGLES
@@ -43,8 +45,11 @@ def write_difference_of_two(
     if cancelled(greater / less).is_number:
         return None
     put = swept(Binary("-", tree_of(greater), tree_of(less)))
-    value = tree_of(tidy(factored(greater - less)))
-    difference = chain(Binary("-", pair[0].left, pair[1].left), (put, None), (value, "rearrange"))
+    value = tidy(factored(greater - less))
+    if not all(_is_seen(claims, factor) for factor in sp.Mul.make_args(value)):
+        return None
+    end = tree_of(value)
+    difference = chain(Binary("-", pair[0].left, pair[1].left), (put, None), (end, "rearrange"))
     mark = claims.worths.mark()
     line = claims.judge.write((Move("combine"),), lines, difference)
     line = line or claims.judge.write((Move("combine"),), lines[::-1], difference)
@@ -52,6 +57,17 @@ def write_difference_of_two(
     if last is None:
         claims.worths.back(mark)
     return last
+
+
+def _is_seen(claims: Comparing, factor: sp.Expr) -> bool:
+    """Whether the sign of a factor is seen: a square, no sum, 1 ± e, or a sum without a minus."""
+    base, power = factor.as_base_exp()
+    if not base.is_Add or (power.is_Integer and power % 2 == 0):
+        return True
+    names = [symbol.name for symbol in base.free_symbols]
+    if len(names) == 1 and claims.coefficients(names) and base.is_polynomial():
+        return bool(sp.degree(base) == 1)
+    return not any(term.could_extract_minus_sign() for term in base.args)
 
 
 __all__ = ["write_difference_of_two"]
