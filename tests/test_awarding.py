@@ -811,6 +811,20 @@ find dot(velocity(A), velocity(B)), angle(velocity(A), velocity(B))
 a: 11 dot(velocity(A, 1), velocity(B, 1)) = -3 - 2*2
 b: 15 cos(beta) = -7/(sqrt(5)sqrt(13))
 """,
+    "put-in": """
+sphere A: mass m, velocity 4u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+show along(velocity(A), i) = 2u(2 - k)/(1 + k)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | 4m u = m v + k m w
+4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 2u
+5 a | combine w | 3, 4 | 4m u = m v + k m(v + 2u)
+6 a | rearrange | 5 | v = 2u(2 - k)/(1 + k)
+a: 6 shown along(velocity(A, 1), i) = 2u(2 - k)/(1 + k)
+""",
     "same-angle": """
 sphere A: mass m, velocity 4 at alpha
 sphere B: mass m, at rest
@@ -858,6 +872,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("second-of-two", "three-spheres", 11, "M1 A1", "M1 A1", "M1 A1"),
     ("impulse", "both-moving", 13, "M1 A1ft", "M1 A1ft", "M1 A1ft"),
     ("principle-of-vectors", "unknown-wall", 2, "M1", "M1", "M1"),
+    ("put-in-together", "put-in", 5, "DM1", "DM1", ""),
     ("solved-together", "show-tangent", 6, "DM1 A1", "DM1 A1", ""),
     ("solved-by-putting", "no-momentum", 6, "DM1 A1", "DM1 A1", "A1"),
     ("put-together-with-a-law", "parallel-afterwards", 8, "DM1", "DM1", ""),

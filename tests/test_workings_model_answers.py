@@ -429,3 +429,22 @@ def test_no_root_of_a_long_number_is_the_size_of_a_velocity() -> None:
         ["speed of A", "≈ 1.82 m s⁻¹", "≈ 1.23 m s⁻¹", "≈ −0.5178", "≈ 121°"],
     )
     assert "√51994" not in text
+
+
+def test_a_printed_component_has_the_line_in_which_the_other_is_put_in() -> None:
+    printed_with(
+        """
+        sphere A: mass 3m, velocity u at alpha
+        sphere B: mass k m, at rest
+        A hits B: along i, e = 1/3
+        part a
+        show along(velocity(A), i) = u(9 - k)cos(alpha)/(3(3 + k))
+        part b
+        find speed(B)
+        """,
+        [
+            "Eliminating w from (1) and (2):",
+            "3mu cos α = 3mv + km(v + ⅓u cos α)",
+            "v = u(9 − k) cos α/(3(3 + k)) (as required)",
+        ],
+    )

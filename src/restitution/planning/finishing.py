@@ -38,6 +38,7 @@ from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_
 from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.one_component import with_one_component
 from restitution.planning.writing.plain_products import with_plain_products
+from restitution.planning.writing.printed_eliminations import with_printed_eliminations
 from restitution.planning.writing.ratios_put_in import with_ratios_put_in
 from restitution.planning.writing.squares_of_surds import with_squares_of_surds
 from restitution.planning.writing.squares_together import with_squares_together
@@ -84,6 +85,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
             with_kept_ratios,
             with_one_angle,
             with_squares_together,
+            with_printed_eliminations,
         ),
     ):
         shorter = shortened(whole, oracle)

@@ -675,6 +675,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "first": lambda work, line: not _solved_before(work, line),
     "of-one-letter": _of_one_letter,
     "of-a-letter": lambda work, line: isinstance(subject_of(line), Letter),
+    "unknowns": lambda work, line: not subject_of(line) and bool(work.new & letters_of_line(line)),
     "another": lambda work, line: len(_solved_before(work, line)) == 1,
     "on-the-way": lambda work, line: line.number not in work.ends,
     "justified": lambda work, line: line.item in work.justify,

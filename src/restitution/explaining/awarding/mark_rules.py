@@ -103,6 +103,7 @@ RULES: tuple[Rule, ...] = (
     _rule("another-changed", ("law",), "", ("changed-velocity",), ("another-assembled",)),
     _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
     # Solving.
+    _rule("put-in-together", ("combine",), "M", when=("of-laws", "first", "unknowns"), caie=""),
     _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),
     _rule("solved-by-putting", ("put",), "M A", when=("of-laws", "first", "of-a-letter"), caie=""),
     _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
