@@ -180,3 +180,47 @@ def test_a_mass_of_one_m_is_m():
     drawn = [variant(r.parse(text), seed).statement for seed in range(1, 7)]
     assert any("mass m," in each for each in drawn)
     assert not any("1m" in each or "1 m" in each for each in drawn)
+
+
+RANGES = {
+    "a mass of which one is stopped by a wall": """
+wall W: along j
+sphere A: mass m, velocity -u i
+sphere B: mass k m, at rest
+A hits W: e = 2/3
+A hits B: along i, e = 1/4
+given A and W collide again
+find range of k
+""",
+    "a ratio of masses by a turned velocity": """
+sphere P: mass q m, velocity w j
+sphere Q: mass m, velocity -2w j
+P hits Q: along j, e = 2/5
+given velocity(P) opposite to velocity(P, 0)
+find range of q
+""",
+    "a coefficient by a second collision behind a wall": """
+wall F: along i
+sphere R: mass 2m, velocity v j
+sphere S: mass 3m, at rest
+R hits S: along j
+S hits F: e = 3/4
+given R and S collide again
+find range of e
+""",
+}
+
+
+@pytest.mark.parametrize("text", RANGES.values(), ids=RANGES)
+def test_a_range_has_a_scheme_and_worlds_of_mistakes(text):
+    solution = r.solve(r.parse(text))
+    # In this mistake's law a letter decides which root is taken.
+    assert [*schemes._worlds(solution, "restitution-whole-speed")]
+    *_, last = mark_scheme(solution)
+    assert last.marks[-1] == "A1"
+    assert solution.parts[None].items[0].answers[0].display.startswith(last.working)
+
+
+def test_no_world_is_worked_out_where_nothing_has_a_usual_wrong_answer(monkeypatch):
+    monkeypatch.setattr(schemes, "_worlds", lambda *_: pytest.fail("a world is worked out"))
+    assert mark_scheme(r.solve(r.parse(RANGES["a ratio of masses by a turned velocity"])))

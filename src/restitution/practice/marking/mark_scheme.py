@@ -188,6 +188,8 @@ def _wrong_answers(solution: Solution) -> dict[tuple[str | None, int], list[str]
     with limited(_SECONDS) as clock:
         for name in applying(solution.problem):
             open_ = {key for key, wrong in usual.items() if len(wrong) < _MOST_WRONG}
+            if not open_:
+                break
             for world in _worlds(solution, name):
                 left -= 1
                 if clock.broken or left < 0:

@@ -137,6 +137,7 @@ def _range_of_letter(
     desk: Desk, name: str, in_terms_of: tuple[str, ...] | None, setting: Setting
 ) -> tuple[list[Form], Proof]:
     """The values of a letter, each set of them with what it asks of the other letters."""
+    region: Region | None = None  # there is none where the motion itself cannot be worked out
     try:
         outcome = desk.outcome(setting)
         values = values_in(name, outcome.accepted)
@@ -149,8 +150,7 @@ def _range_of_letter(
         region = Region(outcome, name, tuple(sorted(free)))
         values, several = _forms(region)
     except UnsupportedError:
-        halves = forms_by_signs(region)
-        if not halves:
+        if region is None or not (halves := forms_by_signs(region)):
             raise
         return _by_sign(outcome, region.trials[0], region, halves)
     except ContradictionError:
