@@ -31,7 +31,7 @@ WORKING = """
 .restitution figure { margin: .8rem 0; text-align: center; break-inside: avoid; }
 .restitution figure svg { width: 30rem; max-width: 100%; height: auto; }
 .restitution .whole { white-space: nowrap; }
-.restitution .answer { border-bottom: 3px double var(--soft); }
+.restitution .answer { border-bottom: 3px double var(--soft); display: inline-block; }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
   font-size: 1.05em; }
