@@ -224,3 +224,39 @@ def test_a_range_has_a_scheme_and_worlds_of_mistakes(text):
 def test_no_world_is_worked_out_where_nothing_has_a_usual_wrong_answer(monkeypatch):
     monkeypatch.setattr(schemes, "_worlds", lambda *_: pytest.fail("a world is worked out"))
     assert mark_scheme(r.solve(r.parse(RANGES["a ratio of masses by a turned velocity"])))
+
+
+FALSE = {
+    "part b: speed(P) = 6 is to be shown, and is not true": STATEMENT.replace(
+        "find energy_lost", "show speed(P) = 6"
+    ),
+    "deflection(S) = 90° is to be shown, and is not true": """
+wall F: along j
+sphere S: mass m, velocity u at theta
+S hits F
+show speed(S) <= u
+show deflection(S) = 90°
+""",
+    "range of e: 1/2 < e <= 1 is to be shown, and is not true": """
+wall W: along i
+sphere P: mass 2, velocity 5i - 3j
+P hits W
+given speed(P) > 26/5
+show range of e: 1/2 < e <= 1
+""",
+}
+
+
+@pytest.mark.parametrize(("words", "text"), FALSE.items(), ids=["value", "letters", "range"])
+def test_a_sheet_warns_of_what_is_to_be_shown_and_is_not_true(words, text, tmp_path):
+    path, output = tmp_path / "false.impact", tmp_path / "sheet.html"
+    path.write_text(text, encoding="utf-8")
+    status, _, messages = run("sheet", path, "-o", output, "--no-diagrams")
+    assert status == 0 and output.exists()
+    assert messages == f"{path}: warning: {words}\n"
+    # Nothing is drawn for it: a value that is worked out again would make it true.
+    with pytest.raises(
+        r.UnsupportedError, match=re.escape(f"cannot be varied: {words}")
+    ) as refused:
+        variant(r.parse(text))
+    assert text.splitlines()[refused.value.line - 1].startswith("show ")

@@ -312,7 +312,9 @@ def serve(job: Job) -> Reply:
             from restitution.export.sheet import entry
 
             one = entry(solution, options)
-            warnings = reply["warnings"]
+            # No working says so on a sheet without solutions.
+            false = [words for words, _ in solution.refutations()]
+            warnings = [*reply["warnings"], *false]
             return Reply(one, answered, errors, tuple(warnings), tired=tired, notes=unvaried)
         case Picturing(event):
             from restitution.export.working import pictured

@@ -71,14 +71,16 @@ class Variant:
 def variant(problem: Problem, seed: int = 1) -> Variant:
     """A question like another, the same for the same seed.
 
-    Raises the error of a question that has no answer, and UnsupportedError where nothing can be
-    varied, or no draw is fit to be set: it names what was most often in the way.
+    Raises the error of a question that has no answer, and UnsupportedError where what is to be
+    shown is not true, nothing can be varied, or no draw is fit to be set: it names what was most
+    often in the way.
     """
     from restitution.practice.questions.diagnosis import clash
     from restitution.solving import solve
 
     original = solve(problem)
     _require_answers(original)
+    _require_truth(original)
     wants_apart = clash(original) is None
     notes = [*_notes(problem)]
     if not wants_apart:
@@ -227,6 +229,12 @@ def _require_answers(solution: Solution) -> None:
         for item in part.items:
             if item.error is not None:
                 raise item.error
+
+
+def _require_truth(solution: Solution) -> None:
+    """What is to be shown is true: a value that is worked out again would be."""
+    for words, line in solution.refutations():
+        raise UnsupportedError(f"this question cannot be varied: {words}", line)
 
 
 def _require_letters(problem: Problem, solution: Solution) -> None:

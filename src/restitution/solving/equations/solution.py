@@ -98,6 +98,11 @@ class ItemResult:
         return self.kind == "show" and self.error is None and self.holds is None
 
     @property
+    def refuted(self) -> bool:
+        """Whether this is a claim that is not true."""
+        return self.kind == "show" and self.holds is False
+
+    @property
     def not_proved(self) -> str:
         """The warning of a range or an extremum that was sought, and not proved."""
         return f"{self.text} was sought at some values of the letters, not proved"
@@ -230,6 +235,13 @@ class Solution:
         for part in self.parts.values():
             for item in part.items:
                 yield part, item
+
+    def refutations(self) -> Iterator[tuple[str, int | None]]:
+        """What is to be shown and is not true: said in words, with its line in the statement."""
+        for part, item in self.items():
+            if item.refuted:
+                place = "" if part.part.label is None else f"part {part.part.label}: "
+                yield f"{place}{item.text} is to be shown, and is not true", item.line
 
     def __getitem__(self, text: str) -> ItemResult:
         items = [item for _, item in self.items() if _plain(item.text) == _plain(text)]
