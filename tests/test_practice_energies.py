@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from marked import verdicts
 
+import restitution
+
 _LOSS = (
     "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 3, velocity -i + 4j\n"
     "A hits B: along i, e = 1/3\nfind energy_lost"
@@ -33,6 +35,31 @@ def test_numbers_before_and_after_are_no_energies_where_a_share_is_asked() -> No
 def test_a_share_is_worked_out_behind_what_is_lost() -> None:
     assert verdicts(_SHARE, "19.2/54.5 lost = 0.352") == ["true"]
     assert verdicts(_SHARE, "19.2/54.5 lost = 0.452") == ["false"]
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("KE lost = -19.2", "false"),
+        ("loss in KE = 35.3 - 54.5 = -19.2", "false"),
+        ("KE lost by A = 4.04 - 29 = -24.96", "false"),
+        ("change in KE = -19.2", "true"),
+        ("change in KE = 19.2", "true"),
+        ("gain in KE = -19.2", "true"),
+        ("gain in KE = 19.2", "false"),
+        ("KE lost = 54.5 - 35.3 = 19.2", "true"),
+    ],
+)
+def test_a_loss_and_a_gain_have_their_sign(line: str, verdict: str) -> None:
+    assert verdicts(_LOSS, line) == [verdict]
+
+
+def test_a_loss_with_the_sign_of_a_gain_is_a_slip_of_sign() -> None:
+    """It keeps the method, and loses the answer."""
+    marks = restitution.mark(restitution.parse(_LOSS), ["KE lost = 35.3 - 54.5 = -19.2"]).json()
+    assert marks["lines"][0]["mistake"]["id"] == "sign"
+    states = [(point["kind"], point["state"]) for point in marks["marks"]["points"][-2:]]
+    assert states == [("M1", "earned"), ("A1", "lost")]
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,7 @@ from restitution.practice.judging.entries import (
     same_relation,
 )
 from restitution.practice.judging.explained import JudgedSoFar
+from restitution.practice.judging.plain_energies import is_turned_loss
 from restitution.practice.judging.slips import Correction, corrections
 from restitution.practice.reading.phrase_names import is_phrase, is_vague
 from restitution.practice.worlds.agreement import difference, numbers_of
@@ -88,6 +89,8 @@ def kind_of_slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction])
         return None
     if "radians" in changes:
         return "calculator"
+    if is_turned_loss(entry, judge.base):
+        return "sign"
     if any(_stands_above(correction, judge.entries) for correction in mended):
         return "copied"
     if is_numeric(claim.left) and is_numeric(claim.right):

@@ -48,7 +48,7 @@ from restitution.practice.judging.plain_deflections import (
     is_deflection_as_angle,
     is_given_deflection,
 )
-from restitution.practice.judging.plain_energies import has_half_in_all
+from restitution.practice.judging.plain_energies import has_half_in_all, is_turned_loss
 from restitution.practice.judging.plain_impulses import of_given_impulse
 from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.plain_mistakes import (
@@ -159,6 +159,7 @@ class Names:
         of_deflection = is_deflection_as_angle(entry, judge.base)
         of_deflection = of_deflection or is_given_deflection(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
+        alone = alone or is_turned_loss(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
         variants = tuple(v for v in variants if not cannot_be(v, entry, judge.base))
         of_signs = {variant.mistake for variant in variants} - _OF_SPEEDS

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import permutations
 
@@ -17,15 +18,17 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Quantity,
     is_binary,
     is_function,
+    is_quantity,
     letters,
     quantities_in,
     walk,
 )
-from restitution.practice.judging.claimed import has_value, meant_by
+from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.world import World
@@ -48,6 +51,18 @@ def is_energy_of_difference(entry: Entry, world: World) -> bool:
         for node in walk(entry.claim.right)
         for left, right in _squared_difference(node)
     )
+
+
+def is_turned_loss(entry: Entry, world: World) -> bool:
+    """Whether an energy lost has the sign of a gain: ``KE lost = 18 - 27 = -9``."""
+    claim, meant = entry.claim, meant_by(entry)
+    loss = is_quantity(meant, *LOSSES) or (
+        is_binary(meant, "-")
+        and all(is_quantity(side, *ENERGIES) for side in (meant.left, meant.right))
+    )
+    if claim.sign != "=" or claim.others or not loss:
+        return False
+    return holds_in(replace(entry, claim=replace(claim, right=Negate(claim.right))), world)
 
 
 def has_half_in_all(entry: Entry, world: World) -> bool:

@@ -45,6 +45,7 @@ from restitution.practice.judging.plain_energies import (
     is_fraction_of_line,
     is_of_exchanged_squares,
     is_tangent_inverted,
+    is_turned_loss,
     is_without_a_square,
 )
 from restitution.practice.judging.plain_impulses import (
@@ -88,7 +89,7 @@ def plainly(
     entry: Entry, world: World, entries: Iterable[Entry], mended: Sequence[Correction]
 ) -> str | None:
     """A misconception in a line that is an instance of no law, altered or not."""
-    if entry.claim.sign != "=":
+    if entry.claim.sign != "=" or is_turned_loss(entry, world):
         return None
     name = next((name for shows, name in _SHOWN if shows(entry, world)), None)
     if name is not None:

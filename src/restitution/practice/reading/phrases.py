@@ -463,20 +463,19 @@ class _Reader(RightAngles):
             yield Apply("abs", difference)
 
     def energy(self, event: int) -> Iterator[Expression]:
-        """Kinetic energies, and what is lost of them."""
+        """Kinetic energies, and what is lost of them; a change alone may have either sense."""
         named = [name for name in self.features.names if name in self.spheres]
         body = named[0] if len(named) == 1 and not self.features.both else None
         after, before = self.after(event), event - 1
         if self.features.heads & {"loss", "gain", "change"}:
             gain = "gain" in self.features.heads
+            either = "change" in self.features.heads
             if body is not None:
-                lost = Binary(
-                    "-",
-                    Quantity("energy", (Name(body),), before),
-                    Quantity("energy", (Name(body),), after),
-                )
+                own = (Quantity("energy", (Name(body),), stage) for stage in (before, after))
+                lost = Binary("-", *own)
                 yield Negate(lost) if gain else lost
-                yield lost if gain else Negate(lost)
+                if either:
+                    yield lost if gain else Negate(lost)
             else:
                 yield from self.changes_of_energy_asked(gain)
                 last = Quantity("energy_lost", (), after)
@@ -485,7 +484,8 @@ class _Reader(RightAngles):
                     last = whole  # of one sphere the total is that of all impacts
                 for value in dict.fromkeys((last, whole)) if len(self.events) > 1 else (last,):
                     yield Negate(value) if gain else value
-                yield last if gain else Negate(last)
+                if either:
+                    yield last if gain else Negate(last)
             return
         stage = before if self.features.stage == "before" else after
         if self.features.start and before:
