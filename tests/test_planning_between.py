@@ -77,7 +77,7 @@ find tan(alpha), speed(P)
     "an inequality with roots, its terms collected": (
         SPHERES.format(a="m", b="m", u="u at 45°", w="at rest", e="")
         + "given deflection(A) <= 30°\nfind range of e",
-        ("(3 + √3)e ≤ 3√3 − 3", "e ≤ (3√3 − 3)/(3 + √3)", "e ≤ 2√3 − 3"),
+        ("(2 + √3)e ≤ √3", "e ≤ √3/(2 + √3)", "e ≤ 2√3 − 3"),
     ),
     "a square of one component, and a quotient of sums with roots": (
         SPHERES.format(a="5m", b="2m", u="4u at 60°", w="velocity 3u at 30° from -i", e="")

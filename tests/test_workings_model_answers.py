@@ -278,8 +278,9 @@ def test_a_cosine_that_is_none_is_rejected_by_its_range() -> None:
         find cos(beta)
         """,
         [
-            "By the quadratic formula: cos β = (4 − √2)/4 or cos β = −(4 + √2)/4",
-            "cos β = (4 − √2)/4 ≈ 0.646, as cos β ≥ −1",
+            "cos β = (−2√2 + 8)/8 or cos β = (−2√2 − 8)/8",
+            "cos β = (−2√2 + 8)/8, as cos β ≥ −1",
+            "= (4 − √2)/4 ≈ 0.646",
         ],
     )
 

@@ -39,9 +39,9 @@ def is_zero(expression: Any) -> bool:
     It is refuted by a value to 30 digits at up to four random admissible points that is not
     zero. What survives is proved zero by rational normal form, with sines and cosines reduced
     and surds rationalised. Else a number made with roots is calculated to as many digits as any
-    such number needs to be told from zero (`digits_apart`). An expression in letters, or a number
-    of another kind, is taken to be zero if it vanishes to 100 digits at fresh points: claims about
-    letters are for the oracle to decide.
+    such number needs to be told from zero (`digits_apart`). An expression in letters, a long sum
+    of angles, or a number of another kind, is taken to be zero if it vanishes to 100 digits at
+    fresh points: claims about letters are for the oracle to decide.
     """
     value = sympy.sympify(expression, strict=True)
     if value.is_Number:
@@ -82,8 +82,13 @@ def _zero_direction(value: Expr) -> Expr | None:
     """What is zero just where a small number is, and is made with roots: the sine of an angle."""
     if not value.has(sympy.atan, sympy.asin, sympy.acos, sympy.atan2):
         return value
+    if value.count_ops() > _LONGEST_ANGLE:
+        return None  # multiplied out, its sine would take minutes
     direction = direction_of(value)
     return None if direction is None else direction[1]
+
+
+_LONGEST_ANGLE = 150
 
 
 def digits_apart(value: Expr) -> int | None:

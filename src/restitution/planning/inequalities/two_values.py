@@ -67,7 +67,7 @@ def _is_seen(claims: Comparing, factor: sp.Expr) -> bool:
     names = [symbol.name for symbol in base.free_symbols]
     if len(names) == 1 and claims.coefficients(names) and base.is_polynomial():
         return bool(sp.degree(base) == 1)
-    return not any(term.could_extract_minus_sign() for term in base.args)
+    return not any(term.could_extract_minus_sign() for term in sp.Add.make_args(sp.expand(base)))
 
 
 __all__ = ["write_difference_of_two"]
