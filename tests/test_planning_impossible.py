@@ -224,7 +224,7 @@ def test_an_offset_under_a_root_is_no_square_alone() -> None:
         "sphere A: mass m, radius a, velocity u i\nsphere B: mass m, radius a, at rest\n"
         "A hits B: offset d, e = 1/2\ngiven deflection(A) = 60°\nfind d"
     )
-    assert "√3(4a² + 3d²) = 3d√(4a² − d²)" in shown
+    assert "3d√(4a² − d²)/(4a² + 3d²) = √3" in shown
     assert shown.endswith("So what is described cannot happen. A1")
 
 
