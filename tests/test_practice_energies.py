@@ -6,6 +6,7 @@ import pytest
 from marked import verdicts
 
 import restitution
+from restitution.practice.marking.answers import mark_answers
 
 _LOSS = (
     "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 3, velocity -i + 4j\n"
@@ -101,3 +102,39 @@ def test_a_number_behind_a_sphere_may_be_its_energy() -> None:
     assert verdicts(_LOSS, "A: 30") == ["false"]
     of_speed = _LOSS.replace("energy_lost", "speed(A)")
     assert verdicts(of_speed, "A: 29") == ["false"]
+
+
+_COEFFICIENT = (
+    "sphere A: mass 2, velocity 3i + 3j\nsphere B: mass 1, velocity -3i + 3j\n"
+    "A hits B: along i\ngiven energy_lost = 9\nfind e"
+)
+_ABOVE = ["3 = 2v + w", "w - v = 6e", "9 = 12(1 - e^2)"]
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines", "lost"),
+    [
+        (_LOSS, ["KE lost = 19.2 or 20"], True),
+        (_LOSS, ["KE lost = 19.2 or 96/5"], False),
+        (_LOSS, ["KE lost = 19.2 or 20", "KE lost = 19.2"], False),
+        (_COEFFICIENT, [*_ABOVE, "e = 1/2 or -1/2"], True),
+        (_COEFFICIENT, [*_ABOVE, "e = ±1/2"], True),
+        (_COEFFICIENT, [*_ABOVE, "e = ±1/2", "e = 1/2"], False),
+        (_COEFFICIENT, [*_ABOVE, "e = ±1/2", "e > 0"], False),
+        (_COEFFICIENT, [*_ABOVE, "e = 1/2 or e = -1/2 (reject)"], False),
+    ],
+)
+def test_an_answer_beside_a_value_that_is_none(
+    statement: str, lines: list[str], lost: bool
+) -> None:
+    assert set(verdicts(statement, *lines)) == {"true"}
+    marks = restitution.mark(restitution.parse(statement), lines).json()["marks"]
+    assert (marks["points"][-1]["state"] == "lost") == lost
+
+
+def test_an_answer_alone_beside_a_value_that_is_none() -> None:
+    problem = restitution.parse(_LOSS)
+    answers = ["19.2", "19.2 or 20", "19.2 or 96/5"]
+    marks = mark_answers(problem, answers)
+    assert [mark.right for mark in marks] == [True, False, True]
+    assert marks[1].as_if == ()

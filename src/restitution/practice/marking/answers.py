@@ -70,7 +70,10 @@ def answers_of(
         if last is None:
             continue
         line, value = last
-        right = line.verdict in ("true", "unsupported")
+        asked, place = item.item.expression, judgement.lines.index(line) + 1
+        open_ = values.leaves_open(asked, line)
+        open_ = open_ and not values.is_decided_below(asked, judgement.lines[place:])
+        right = line.verdict in ("true", "unsupported") and not open_
         names: tuple[str, ...] = ()
         if not right:
             link = replace(line.line.links[-1], readings=(Claim(value, "=", value),))
@@ -176,7 +179,8 @@ def _judged(item: ItemResult, asked: Expression, typed: str, bench: Bench) -> An
         raise item.error
     link = _read(typed, bench.problem)
     grade = _grade(asked, link, bench.worlds)
-    names = () if grade is not None else tuple(_leading(asked, None, link, bench))
+    several = any(claim.others for claim in link.readings)
+    names = () if grade or several else tuple(_leading(asked, None, link, bench))
     return AnswerMark(item.text, typed, grade is not None, grade, names, bench.solved.part.label)
 
 
@@ -190,14 +194,18 @@ def _read(typed: str, problem: Problem) -> Link:
 
 
 def _grade(asked: Expression, link: Link, worlds: Sequence[World]) -> Accuracy | None:
-    """How exactly a value is right in one of the worlds; None where it is in none."""
-    grades = [
-        grade
-        for world in worlds
-        for claim in link.readings
-        for right in (claim.right, *claim.others)
-        if (grade := _agrees(Claim(asked, "=", right), link, world)) is not None
-    ]
+    """How exactly a value is right in one of the worlds; None where it is in none.
+
+    Of several, ``9 or 10``, each has to be the value in one of the worlds.
+    """
+    grades: list[Accuracy] = []
+    for claim in link.readings:
+        by_value = [
+            [grade for world in worlds if (grade := _agrees(Claim(asked, "=", x), link, world))]
+            for x in (claim.right, *claim.others)
+        ]
+        if all(by_value):
+            grades += [grade for of_value in by_value for grade in of_value]
     return min(grades, key=_GRADES.index, default=None)
 
 

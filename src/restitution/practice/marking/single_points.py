@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.practice.judgement import JudgedLine, Use
@@ -431,6 +432,9 @@ class SinglePoints(PrincipleLines):
                 last = self._earned(point, line, "")
                 if not line.grounded and not self._is_his_own(point, self.lines[:place]):
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
+                if self._is_left_open(point, line, self.lines[place:]):
+                    why = "another value is given beside it"
+                    last = PointMark(point, "lost", line.line.number, why)
             elif line.verdict == "follows" and match != "true":
                 if last is not None and last.state == "earned" and point.item is None:
                     continue  # a value on the way, that another equation gives once more
@@ -494,6 +498,16 @@ class SinglePoints(PrincipleLines):
             elif conclusion is not None and _CONCLUDING.search(conclusion.line.text):
                 last = self._earned(point, conclusion, "")
         return last or self._missing(point)
+
+    def _is_left_open(
+        self, point: MarkPoint, line: JudgedLine, below: Sequence[JudgedLine]
+    ) -> bool:
+        """Whether an answer is one of two values of which the other is none: ``9 or 10``."""
+        if point.link is None or point.item is None or point.shown:
+            return False
+        asked = point.link.left
+        open_ = self.values.leaves_open(asked, line)
+        return open_ and not self.values.is_decided_below(asked, below)
 
     def _is_worked_out_wrongly(
         self, point: MarkPoint, mark: PointMark | None, line: JudgedLine

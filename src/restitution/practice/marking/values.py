@@ -29,7 +29,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
-from restitution.practice.marking.directions import Directions
+from restitution.practice.marking.alternatives import Alternatives
 from restitution.practice.marking.line_contents import Match, numbers_into_a_wall
 from restitution.practice.marking.lines import is_slip, ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
@@ -89,7 +89,7 @@ def _bounds_of(point: MarkPoint) -> Iterator[tuple[str, Expression, Expression]]
 
 
 @dataclass(frozen=True, eq=False)
-class Values(Directions):
+class Values(Alternatives):
     """The values of a part, and how the lines of a script reach them."""
 
     def of_his_own(self) -> Values:
