@@ -6,14 +6,14 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Apply, Binary, Letter, Name, Quantity, has_quantity
+from restitution.expression.tree import Apply, Binary, Letter, Name, Quantity
 from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import (
     in_the_plane,
     known_vector,
     velocity_source,
 )
-from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.desk import Source, chain, is_value_of, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.writing.scene import Scene
@@ -69,9 +69,8 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
 def _given(scene: Scene, velocity: Quantity) -> Source | None:
     """A velocity that is given as a vector without unknowns; None of another."""
     for equation in scene.given:
-        link = equation.link
-        if link.left == velocity and link.sign == "=" and not has_quantity(link.right):
-            value = scene.value(link.right)
+        if is_value_of(equation.link, velocity):
+            value = scene.value(equation.link.right)
             return None if scene.unknown(value) else Source(value, equation.refs)
     return None
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from restitution.expression.quantities import ENERGIES
-from restitution.expression.tree import Expression, Quantity, has_quantity
-from restitution.planning.writing.desk import Source, together
+from restitution.expression.tree import Expression, Quantity
+from restitution.planning.writing.desk import Source, is_value_of, together
 from restitution.planning.writing.scene import Scene
 
 
@@ -13,9 +13,8 @@ def given_energy(scene: Scene, quantity: Expression) -> Source | None:
     if not isinstance(quantity, Quantity) or quantity.kind not in ENERGIES:
         return None
     for equation in scene.given:
-        link = equation.link
-        if link.left == quantity and link.sign == "=" and not has_quantity(link.right):
-            value, more = scene.put(scene.scalar(link.right))
+        if is_value_of(equation.link, quantity):
+            value, more = scene.put(scene.scalar(equation.link.right))
             return None if scene.unknown(value) else Source(value, together(equation.refs, more))
     return None
 

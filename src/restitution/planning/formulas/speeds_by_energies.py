@@ -7,9 +7,9 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Name, Quantity, has_quantity
+from restitution.expression.tree import Name, Quantity
 from restitution.planning.formulas.velocity_formulas import body_and_stage, known_speed, parts
-from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.desk import Source, chain, is_value_of, together
 from restitution.planning.writing.forms import square, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -39,11 +39,7 @@ def speed_by_given_energy(scene: Scene, speed: Quantity) -> int | None:
         return None
     energy = Quantity("energy", (Name(body),), stage)
     for equation in scene.given:
-        if (
-            equation.link.left == energy
-            and equation.link.sign == "="
-            and not has_quantity(equation.link.right)
-        ):
+        if is_value_of(equation.link, energy):
             known = Source(scene.scalar(equation.link.right), equation.refs)
             if not scene.unknown(scene.mass(body).value):
                 return _speed_of_energy(scene, body, stage, known, "energy")

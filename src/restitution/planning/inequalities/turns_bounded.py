@@ -86,11 +86,10 @@ def _of_the_other(worths: Worths, fact: Fact, link: Link, own: Turned) -> Bounde
     turned, whole = scene.desk.last_link(own.line).left, scene.desk.last_link(own.line).right
     names = {tree.name for tree in (late, turned) if isinstance(tree, Letter)}
     moves = (Move("rearrange"), Move("put"), Move("compare"))
-    refs: tuple[Ref, ...] = own.inverse
+    # Degrees are put in first; an inverse tangent stays a letter until the angle is alone.
     if own.in_degrees:
-        whole, given, refs = own.whole, refs, ()
-    else:
-        given = ()
+        whole = own.whole
+    given, refs = (own.inverse, ()) if own.in_degrees else ((), own.inverse)
     first = judge.write(
         (Move("put"), Move("compare")),
         [fact.id, own.line, *given, *scene.desk.introducing(names)],
