@@ -338,7 +338,7 @@ find speed(A), speed(B), energy(A), energy(B)
 1 a1 | law restitution 1 A B | velocity A, velocity B, axis 1, e 1 | c(B, 1) - c(A, 1) = 2
 2 a1 | law momentum 1 A B | mass A, mass B, velocity A, velocity B, axis 1 | 2c(A, 1) + 4c(B, 1) = 2
 3 a1 | combine | 1, 2 | c(A, 1) = -1
-4 a1 | define speed 1 A | 3, velocity A | speed(A, 1) = sqrt(17)
+4 a1 | define speed 1 A | 3, velocity A | speed(A, 1) = sqrt((-1)^2 + 4^2) = sqrt(17) [rearrange]
 5 a2 | define speed 1 B | 2, 3, velocity B | speed(B, 1) = sqrt(1^2 + 1^2) = sqrt(2) [rearrange]
 6 a3 | define energy 1 A | mass A, 4 | energy(A, 1) = 17
 7 a4 | define energy 1 B | mass B, 5 | energy(B, 1) = 4
@@ -502,6 +502,24 @@ find time(1)
 3 a | roots | 2 | time(1) = 1 or time(1) = 41/25
 4 a | reject | 3 | time(1) = 1
 a: 4 time(1) = 1
+""",
+    # The line of centres is then that from one centre to the other.
+    "touch-centres": """
+sphere A: mass 1, at (0, 0), velocity 5i, radius 1
+sphere B: mass 1, at (33/5, 6/5), at rest, radius 1
+A hits B: e = 1/2
+find time(1)
+find line_of_centres
+---
+1 a | define straight-line 1 A | position A, velocity A | position(A, 1) = 5 time(1) i
+2 a | fact | contact 1, position B, 1 | (5 time(1) - 33/5)^2 + (6/5)^2 = 2^2
+3 a | roots | 2 | time(1) = 1 or time(1) = 41/25
+4 a | reject | 3 | time(1) = 1
+5 b | put | 1, 4 | position(A, 1) = 5i
+6 b | put | axis 1, position B, 5 | line_of_centres(1) parallel to (33/5 - 5) i + 6/5 j
+7 b | rearrange | 6 | line_of_centres(1) parallel to 4/5 i + 3/5 j
+a: 4 time(1) = 1
+b: 7 line_of_centres(1) parallel to 4/5 i + 3/5 j
 """,
     # Where they touch is told by the line of centres: then it is one step.
     "touch-along": """
@@ -938,6 +956,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("time-of-no-way", "at-once", 1, "B1", "B1", "B1"),
     ("place-in-an-open-time", "touch", 1, "", "", ""),
     ("equation-of-a-contact", "touch", 2, "M1", "M1", "M1"),
+    ("centres-between-places", "touch-centres", 6, "DM1", "DM1", "DM1"),
     ("place-of-a-contact", "touch-along", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("centres-beside-a-path", "beside", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("chord", "circle", 1, "M1", "M1", "M1"),
@@ -1092,6 +1111,32 @@ find e, velocity(A)
     derivation = awarded(plan(solve(parse(text))))
     (note,) = derivation.notes
     assert (line_of(derivation, max(note.lines)), written(note.marks)) == ("", "A1")
+
+
+def test_a_second_speed_has_the_method_of_the_first_only_if_that_had_one() -> None:
+    """The speed of a sphere along the line of centres is its component: nothing is put together."""
+    text = """
+sphere A: mass m, velocity 3u i + u j
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/4
+find speed(B), speed(A)
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    ends = [written(derivation.line(e.line).marks) for e in derivation.items]  # type: ignore[union-attr]
+    assert ends == ["A1", "M1 A1"]
+
+
+def test_a_claim_that_is_a_value_above_is_one_mark() -> None:
+    text = """
+wall W: along j, through (0, 0)
+sphere A: mass m, at (a, 0), velocity 2u i
+sphere B: mass 2m, at (3a, 0), at rest
+A hits B: along i, e = 1/2
+find velocity(A)
+show A will not hit W
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    assert written(derivation.line(derivation.items[-1].line).marks) == "B1"  # type: ignore[union-attr]
 
 
 def test_what_is_missing_is_concluded_once() -> None:

@@ -57,6 +57,7 @@ from restitution.explaining.awarding.work import (
     is_an_equation,
     is_where_reached,
     length,
+    says_a_value_again,
     single_sides,
     subject_of,
 )
@@ -200,8 +201,10 @@ class _Awarding:
                 # A principle, or a component, and its value are one mark.
                 one = line.move.id in ("law", "define")
                 own = [e for e in points[line.number] if e != "B" or not one]
-                stays = line.move.record == "unchanged" and not lone
-                points[line.number] = ["B"] if stays else own + (["M", "A"] if lone else ["A"])
+                again = line.move.record == "unchanged" or says_a_value_again(self, line)
+                points[line.number] = (
+                    ["B"] if again and not lone else own + (["M", "A"] if lone else ["A"])
+                )
                 if self._answers_twice(line):
                     own = [e for e in points[line.number] if e == "M"]
                     points[line.number] = [*own, "A", "A"]

@@ -10,6 +10,7 @@ from restitution.explaining.awarding.place_conditions import (
     another_chord,
     at_another_time,
     between_at_rest,
+    between_places,
     goes_on,
     open_place,
     put_together,
@@ -21,9 +22,13 @@ from restitution.explaining.awarding.work import (
     is_identity_again,
     is_like_one_above,
     is_settled,
+    is_sum_that_is_positive,
     length,
+    says_a_quantity_is_positive,
+    says_a_value_again,
     single_sides,
     subject_of,
+    tells_a_quadrant,
 )
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.resting import is_of_a_body_at_rest
@@ -456,41 +461,17 @@ def _new_inequality(work: Work, line: Line) -> bool:
         fact.id.startswith("within ") or _bounds_a_quantity(fact) for fact in work.facts(line)
     ):
         return False
-    if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
+    if isinstance(line.relation, Relation) and tells_a_quadrant(line.relation):
         return False
-    if line.move.id == "sign" and _is_sum_that_is_positive(line) and not [*work.cited(line)]:
+    if line.move.id == "sign" and is_sum_that_is_positive(line) and not [*work.cited(line)]:
         return False
     return _unequal(line) and not any(
         _unequal(other)
         and work.part(other) == work.part(line)
-        and not (isinstance(other.relation, Relation) and _tells_a_quadrant(other.relation))
-        and not _says_a_quantity_is_positive(other)
+        and not (isinstance(other.relation, Relation) and tells_a_quadrant(other.relation))
+        and not says_a_quantity_is_positive(other)
         for other in work.cited(line)
     )
-
-
-def _is_sum_that_is_positive(line: Line) -> bool:
-    """Whether it is only said that a sum of letters is positive, as 1 − e² is."""
-    match line.relation:
-        case Relation((((Link(Binary("+" | "-"), ">", right)),),)):
-            return right == Number(Fraction(0))
-    return False
-
-
-def _says_a_quantity_is_positive(line: Line) -> bool:
-    """Whether it is only said that a quantity, such as a loss, is not zero."""
-    match line.relation:
-        case Relation((((Link(Quantity(kind), ">", right)),),)) if kind in LOSSES:
-            return right == Number(Fraction(0))
-    return False
-
-
-def _tells_a_quadrant(relation: Relation) -> bool:
-    """Whether it is only said that a tangent is positive, so that its angle is acute."""
-    match relation:
-        case Relation((((Link(Apply("tan"), ">", right)),),)):
-            return right == Number(Fraction(0))
-    return False
 
 
 def _of_a_sum(work: Work, line: Line) -> bool:
@@ -510,7 +491,8 @@ def _claim_without_method(work: Work, line: Line) -> bool:
 
     What holds of a letter anyway is nothing that stands.
     """
-    if not any(True for _ in (*work.cited(line), *work.facts(line))):
+    nothing = not any(True for _ in (*work.cited(line), *work.facts(line)))
+    if nothing or says_a_value_again(work, line):
         return False
     end = work.ends.get(line.number)
     if line.number not in work.ends or (end is not None and line.number not in work.shown):
@@ -692,6 +674,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
     "open-place": open_place,
+    "between-places": between_places,
     "times-together": put_together,
     "goes-on": goes_on,
     "at-rest": lambda work, line: is_of_a_body_at_rest(work.derivation, line),

@@ -228,6 +228,7 @@ RULES: tuple[Rule, ...] = (
     _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
     _rule("given-fact", ("put", "fact", "rearrange"), "M", when=("fact-of-motion",)),
     _rule("centres-beside-a-path", ("fact",), "M A", when=("of-an-offset",)),
+    _rule("centres-between-places", ("put",), "M V", when=("between-places",)),
     _rule("place-of-a-contact", ("fact",), "M A", when=("of-a-contact", "of-facts")),
     _rule("equation-of-a-contact", ("fact",), "M", when=("of-a-contact",)),
 )

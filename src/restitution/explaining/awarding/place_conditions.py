@@ -143,6 +143,13 @@ def restated(work: Work, line: Line) -> bool:
     return axis_restated(work.derivation, line) is not None
 
 
+def between_places(work: Work, line: Line) -> bool:
+    """A line of centres by the places of the two centres, of which one is worked out above."""
+    if not any(fact.id.startswith("axis ") for fact in work.facts(line)):
+        return False
+    return any(is_quantity(subject_of(premise), "position") for premise in work.cited(line))
+
+
 def between_at_rest(work: Work, line: Line) -> bool:
     """A distance from where a body stays that is at rest, of which no other line tells a place."""
     return body_that_rests(work.derivation, line) is not None
@@ -152,6 +159,7 @@ __all__ = [
     "another_chord",
     "at_another_time",
     "between_at_rest",
+    "between_places",
     "goes_on",
     "open_place",
     "put_together",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Protocol
 
 from restitution.explaining.awarding.mark_rules import Rule
@@ -12,13 +13,23 @@ from restitution.explaining.lines.derivation import (
     Fact,
     ItemEnd,
     Line,
+    Link,
     Meaning,
     Relation,
     is_same_identity,
     whole_of,
 )
 from restitution.explaining.lines.marks import Style
-from restitution.expression.tree import Expression, Letter, Quantity, letters
+from restitution.expression.quantities import LOSSES
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    letters,
+)
 
 
 class Work(Protocol):
@@ -95,6 +106,40 @@ def is_where_reached(line: Line) -> bool:
     )
 
 
+def says_a_value_again(work: Work, line: Line) -> bool:
+    """Whether a line says of one value that it is at least, or at most, what it is."""
+    cited = [own.relation for own in work.cited(line) if isinstance(own.relation, Relation)]
+    if line.move.id != "sign" or len(cited) != 1 or not isinstance(line.relation, Relation):
+        return False
+    sides = single_sides(cited[0])
+    links = [link for option in line.relation.options for link in option]
+    return sides is not None and [(e.left, e.right) for e in links] == [sides]
+
+
+def is_sum_that_is_positive(line: Line) -> bool:
+    """Whether it is only said that a sum of letters is positive, as 1 − e² is."""
+    match line.relation:
+        case Relation((((Link(Binary("+" | "-"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
+def says_a_quantity_is_positive(line: Line) -> bool:
+    """Whether it is only said that a quantity, such as a loss, is not zero."""
+    match line.relation:
+        case Relation((((Link(Quantity(kind), ">", right)),),)) if kind in LOSSES:
+            return right == Number(Fraction(0))
+    return False
+
+
+def tells_a_quadrant(relation: Relation) -> bool:
+    """Whether it is only said that a tangent is positive, so that its angle is acute."""
+    match relation:
+        case Relation((((Link(Apply("tan"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
 def earning_under(work: Work, line: Line, points: Mapping[int, Sequence[str]]) -> tuple[int, ...]:
     """The numbers of the lines that a line joins: of each that it cites, the nearest with points.
 
@@ -111,10 +156,12 @@ def earning_under(work: Work, line: Line, points: Mapping[int, Sequence[str]]) -
 
 
 def is_like_one_above(work: Work, line: Line) -> bool:
-    """Whether a line above in the same part is by the same definition, after the same event."""
+    """Whether a line above in the same part is a method by the same definition and event."""
     return any(
         replace(other.move, bodies=()) == replace(line.move, bodies=())
         and work.part(other) == work.part(line)
+        and (rule := work.rule(other)) is not None
+        and "M" in rule.earned(work.style)
         for other in work.above(line)
     )
 

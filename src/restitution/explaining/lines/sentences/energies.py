@@ -27,12 +27,12 @@ SENTENCES: Mapping[str, str] = {
         "Percentage of the kinetic energy that is lost, in which the mass cancels"
     ),
     "fraction-lost.at-a-wall": (
-        "Fraction of the kinetic energy that is lost, by the component that changes, as the mass "
-        "cancels"
+        "Only one component changes, and the mass cancels. Fraction of the kinetic energy that is "
+        "lost"
     ),
     "fraction-lost.percentage-at-a-wall": (
-        "Percentage of the kinetic energy that is lost, by the component that changes, as the mass "
-        "cancels"
+        "Only one component changes, and the mass cancels. Percentage of the kinetic energy that "
+        "is lost"
     ),
     "fraction-lost.together": "Fractions of the same kinetic energy are added",
     "fraction-lost.left": "What is lost is what is not kept",

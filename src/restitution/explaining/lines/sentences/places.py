@@ -237,7 +237,7 @@ SENTENCES: Mapping[str, str] = {
     ),
     "distance.level": (
         "Perpendicular to the line of centres {one} and {other} keep level, so with the spheres as "
-        "particles distance apart = relative speed along it × time"
+        "particles distance apart = relative speed along the line of centres × time"
     ),
     "distance.together": (
         "{bodies:and} are together {event}, so distance apart = relative speed × time"
@@ -245,7 +245,7 @@ SENTENCES: Mapping[str, str] = {
     "distance.none": "With the spheres as particles {bodies:and} are together {event}",
     "distance.level-together": (
         "Perpendicular to the line of centres {one} and {other} keep level, so distance apart = "
-        "relative speed along it × time"
+        "relative speed along the line of centres × time"
     ),
     "distance.particles": "The spheres are taken as particles.",
     "distance.why": (
