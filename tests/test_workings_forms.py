@@ -392,6 +392,8 @@ def test_a_share_of_an_energy_is_a_fraction_among_fractions() -> None:
     assert "25% of the total kinetic energy" in shown
     assert "(3/16)mu² cos²α = ¼ × ½mu²" in shown
     assert "= 0.25 × (3mu²/5)" in working(text.format(m="1.2m"))
+    alone = text.format(m="m").replace("e = 1/2", "e = e").replace("find alpha", "find e")
+    assert "= 0.25 × ½mu²" in working(alone)
 
 
 def test_a_direction_has_no_letters_for_its_size() -> None:

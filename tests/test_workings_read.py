@@ -223,7 +223,7 @@ SAYS = [
     (TOUCHING, "From the centre of A to the centre of B: the line of centres is parallel to"),
     (CUSHION, "Substituting for tan α in (1): x-coordinate of P at the impact = 27/7 m"),
     (LATE, "δ = 180° − 45° − θ ≈ 180° − 45° − 38.96° M1 ≈ 96.0°"),
-    (LOSS_GIVEN, "72mu²(1 − e²)/5 = ⅗ × (29mu²/2)"),
+    (LOSS_GIVEN, "72mu²(1 − e²)/5 = 0.6 × (29mu²/2)"),
     (
         ASIDE,
         "so it moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1",

@@ -131,7 +131,7 @@ class Forms:
     printed like that everywhere, and where there are decimals, a fraction is a decimal if it has an
     end and was not typed itself. A half that is that of an energy stays one. A product or a sum of
     two letters that is to be ``shown`` is printed in that order: Me, M + m. A part of an energy is
-    a fraction among fractions: ¼ for 25%.
+    a fraction where others are typed: ¼ for 25%; else it stays a decimal.
     """
 
     def __init__(self, typed: Iterable[Expression] = (), shown: Iterable[Expression] = ()) -> None:
@@ -147,7 +147,9 @@ class Forms:
         self._fractions = {Ratio(1, 2)}
         #: Whether the statement tells an angle by a fraction, arctan(3/4): then ratios are those.
         self.angles_by_fractions = False
+        # Parts of an energy that are printed as fractions.
         self._shares: set[Ratio] = set()
+        among_fractions = False
         decimals: set[Ratio] = set()
         for tree in typed:
             # A percentage of a quantity makes no decimals of other numbers.
@@ -162,12 +164,15 @@ class Forms:
                         decimals.add(value)
                     case Binary("/", Number(a), Number(b)) if b:
                         self._fractions.add(a / b)
+                        among_fractions = True
                     case Apply("arctan" | "arcsin" | "arccos", Binary("/", Number(), Number())):
                         self.angles_by_fractions = True
                 if is_binary(node, "/") and _root_below(node.right):
                     parts = _parts(node)
                     if parts is not None and not parts[2]:
                         self._typed.setdefault(parts[:2], node)
+        if self._decimal or not among_fractions:
+            self._shares.clear()
         self._fractions -= decimals  # what was typed in both forms is a decimal
         self._decimals = frozenset(decimals)
 
@@ -183,7 +188,7 @@ class Forms:
                 return self._pairs[op, left, right]
             case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
                 return left
-            case Binary("*", Number(value), whole) if value in self._shares and not self._decimal:
+            case Binary("*", Number(value), whole) if value in self._shares:
                 above, below = map(Ratio, value.as_integer_ratio())
                 return Binary("*", Binary("/", Number(above), Number(below)), whole)
             case Binary("/", Rounded(), Number()) | Binary("/", Number(), Rounded()):

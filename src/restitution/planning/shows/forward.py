@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 
 import sympy as sp
 
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
-from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.lines.trees import exchanged, has_ratio_of_a_sum
 from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -478,6 +479,12 @@ def _by_ratio_of(claims: Claims, line: int, angle: Expression) -> int:
     if not letters(angle) or not isinstance(own.left, Apply):
         return line
     whole, first = Apply(own.left.function, angle), line
+    written = scene.desk.line(line)
+    links = scene.desk.relation(line).only
+    if links[-1].by == "identity" and has_ratio_of_a_sum(links[0].right):
+        # Its value takes both identities: the quotient stands, and each of them has a line.
+        own = links[0]
+        scene.desk.rewrite(replace(written, relation=Relation(((own,),))))
     known = claims.judge.known(letters(own.right) | letters(angle))
     if is_binary(own.right, "/"):
         sizes = sp.trigsimp(scene.scalar(own.right.right)).free_symbols
@@ -489,7 +496,10 @@ def _by_ratio_of(claims: Claims, line: int, angle: Expression) -> int:
     relation = chain(own.left, (whole, None))
     moves = (Move("identity", "sum-of-angles"), Move("identity", "double-angle"))
     last = claims.judge.write(moves, [first, *known], relation)
-    return line if last is None else last
+    if last is None:
+        scene.desk.rewrite(written)
+        return line
+    return last
 
 
 def _letter_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
