@@ -28,6 +28,18 @@ find e
         ("Since tan α = ½, from (3):\n    tan β = 1/(1 − e)", "β = α + 45°"),
         ("to that line", "θ", "cos α = 2√5/5", "With v from part (a)"),
     ),
+    "a deflection where the struck sphere shows the line of centres in degrees": (
+        """
+sphere A, B: mass m
+sphere A: velocity 6i
+sphere B: at rest
+A hits B
+given direction(B) = -50°, deflection(A) = 20°
+find e
+""",
+        ("is parallel to cos 50° 𝐢 − sin 50° 𝐣", "β = 50°", "θ = 20° + 50° = 70°", "e ≈ 0.132"),
+        ("the direction from A to B is that of", "tan θ − tan"),
+    ),
     "a letter of an earlier part for an angle": (
         """
 sphere A: mass m, velocity u at alpha

@@ -43,6 +43,8 @@ from restitution.records import dataclass
 
 Sense = Literal["+", "0+", "real"]
 MOST_TERMS = 3000
+# Terms, times degree, times binary digits, of what a letter between two bounds is moved in.
+MOST_DIGITS = 1_000_000
 MOST_MULTIPLE = 12
 _OF_FIFTHS = (5, 10)
 
@@ -624,6 +626,9 @@ class Polynomials:
             if degree <= 0:
                 continue
             n = self.ring.gens.index(own)
+            digits = sum(end.denominator.bit_length() for end in (low, high) if end is not None)
+            if len(polynomial) * degree * digits > MOST_DIGITS:
+                raise TooLargeError
             parts: dict[int, PolyElement] = {}
             for monomial, coefficient in polynomial.terms():
                 plain = list(monomial)

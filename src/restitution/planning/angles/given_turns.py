@@ -228,7 +228,7 @@ def _one_angle(
     if isinstance(final, Degrees):
         if not 0 <= worth <= sp.pi:
             return None  # an angle between directions is at most 180°
-        if is_by_lines and worth not in _AT_SIGHT:
+        if is_by_lines and worth not in _AT_SIGHT and not _has_degrees(data[0]):
             return None  # the tangent of 75° is no shorter than that of a sum
     elif scene.unknown(worth) or not (isinstance(other, Degrees) or _is_complement(final)):
         return None
@@ -287,6 +287,14 @@ def _at_whole_degrees(scene: Scene, side: Direction) -> Degrees | None:
     if not slope.is_number or not (slope.is_positive or scene.model.sign(along) > 0):
         return None
     return _in_degrees(sp.atan(abs(slope)))
+
+
+def _has_degrees(side: Direction) -> bool:
+    """Whether the components of a velocity are written with an angle in degrees."""
+    return any(
+        sp.sympify(source.value, strict=True).has(sp.sin, sp.cos)
+        for source in (side.along, side.across)
+    )
 
 
 def _in_degrees(angle: sp.Expr) -> Degrees | None:

@@ -40,8 +40,22 @@ def plain_direction(direction: Vector) -> Vector:
         by_one_root = _by_one_root(x, y)
         if by_one_root is not None:
             return by_one_root
+    if (at_degrees := _at_degrees(x, y)) is not None:
+        return at_degrees
     common = _content((x, y))
     return Vector(tidy(x / common), tidy(y / common))
+
+
+def _at_degrees(x: sp.Expr, y: sp.Expr) -> Vector | None:
+    """The cosine and the sine of an angle in degrees, of which a vector has the tangent."""
+    if 0 in (x, y) or not (x.is_number and y.is_number and y.has(sp.sin)):
+        return None
+    factor, quotient = sp.sympify(tidy(y / x), strict=True).as_coeff_Mul()
+    above, below = sp.fraction(quotient)
+    if abs(factor) != 1 or not (above.func is sp.sin and below == sp.cos(*above.args)):
+        return None
+    across = 1 if sp.N(x) > 0 else -1
+    return Vector(across * below, factor * across * above)
 
 
 def short_direction(vector: Vector, sign: Callable[[sp.Expr], int]) -> Vector | None:
