@@ -37,6 +37,26 @@ find e in terms of alpha
 """,
         ("α + β = 3β", "β = α/2", "tan(α/2) = e tan α", "e = tan(α/2)/tan α"),
     ),
+    "at a wall, twice the angle after, with a velocity as a vector": (
+        """
+wall W: along i + j
+sphere P: mass m, velocity u(3i - j)
+P hits W
+given deflection(P) = 2 angle(velocity(P), W)
+find e
+""",
+        ("tan β = 2√2 u/(√2 u) = 2", "β + θ = 2θ", "θ = β", "2 = 2e", "e = 1"),
+    ),
+    "at a wall, a multiple of the angle before, with a velocity as a vector": (
+        """
+wall W: along i
+sphere P: mass m, velocity 4i - 3j
+P hits W
+given deflection(P) = 3/2 angle(velocity(P, 0), W)
+find e
+""",
+        ("β = 2θ", "tan β = 2 tan θ/(1 − tan²θ)", "16 − 9e² = 32e", "e = 4/9 ≈ 0.444, as e ≥ 0"),
+    ),
     "at a wall, a multiple of the angle after, of which the tangent is a root": (
         """
 wall W: along i

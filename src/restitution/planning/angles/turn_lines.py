@@ -40,6 +40,7 @@ from restitution.planning.writing.forms import (
     difference,
     in_tangents,
     product,
+    square,
     swept,
     total,
     tree_of,
@@ -446,16 +447,19 @@ def by_tangents(
     ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
     is a tangent of which the value is given, with what gives it.
     """
-    own = tangent_of(form, *map(_tangent, terms))
+    doubled = form == "sum" and terms[0] == terms[1]
+    first, second = map(_tangent, terms)
+    own = _tangent_of_twice(first) if doubled else tangent_of(form, first, second)
     names = {name for term in terms for name in letters(term.angle)}
     known = (*background(scene, names), *meeting(scene))
     asked = is_function(turned, "tan")
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
     bases = () if base is None else (base,)
-    refs = scene.judge.enough(Move("identity", "sum-of-angles"), bases, relation, known)
+    move = Move("identity", "double-angle" if doubled else "sum-of-angles")
+    refs = scene.judge.enough(move, bases, relation, known)
     if refs is None:
         return None
-    number = scene.desk.write(Move("identity", "sum-of-angles"), refs, relation)
+    number = scene.desk.write(move, refs, relation)
     if given is None and all(_tangent(term) == term.tangent for term in terms):
         return number
     tangents = [term.tangent for term in terms]
@@ -465,7 +469,11 @@ def by_tangents(
         raise NotPlannedError("a right angle has no tangent")
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
     both_tree = both_tree if by_one is None else by_one[0]
-    put = swept(tangent_of(form, tangents[0], tangents[1], both_tree))
+    put = swept(
+        _tangent_of_twice(tangents[0], both_tree)
+        if doubled
+        else tangent_of(form, tangents[0], tangents[1], both_tree)
+    )
     own_value = _in_its_tangents(scene, form, tangents)
     final = tree_of(tidy(scene.scalar(put)))
     if by_one is not None:
@@ -550,6 +558,11 @@ def _tangent(term: Term) -> Expression:
     """The tangent of an angle, as one of which the value is not yet put in."""
     plain = isinstance(term.angle, Letter | Degrees)
     return Apply("tan", term.angle) if plain or letters(term.tangent) else term.tangent
+
+
+def _tangent_of_twice(p: Expression, squared: Expression | None = None) -> Expression:
+    """The tangent of twice an angle, by that of the angle and by its square."""
+    return Binary("/", product(TWO, p), difference(ONE, squared or square(p)))
 
 
 def tangent_of(

@@ -30,7 +30,7 @@ from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.formulas.turns import Form
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import NotPlannedError, chain, together
-from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.forms import TWO, product, swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
@@ -221,32 +221,47 @@ def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     if frame.wall is None:
         return None
     angle = angle_of_approach(scene, body, frame)
-    after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(frame.wall)))
+    after, early = (
+        Quantity("angle", (Quantity("velocity", (Name(body),), stage), Name(frame.wall)))
+        for stage in (event, scene.last_event(body, event - 1))
+    )
     if isinstance(angle, Degrees):
         return _related_to_degrees(scene, equation, angle, after)
-    if not isinstance(angle, Letter):
+    if angle is not None and not isinstance(angle, Letter):
         return None
-    more = _excess(scene, equation.link.right, angle, after)
-    times = _multiple(scene, equation.link.right, angle, after) if more is None else None
+    pair = (early if angle is None else angle, after)
+    more = _excess(scene, equation.link.right, pair)
+    times = _multiple(scene, equation.link.right, pair) if more is None else None
     if more is None and times is None:
         return None
     mark = scene.desk.mark()
+    first: Named | None
+    if angle is not None:
+        first = Term(angle, Apply("tan", angle)), data_of_approach(scene, body, frame)
+    else:
+        first = named_at_a_wall(scene, Name(body), frame, event - 1)
+    if first is None:
+        scene.desk.back(mark)
+        return None
+    term, data = first
     own = formula(scene, after)
     line, name = tangent_line(scene, after, own, own.move)
     letter, (_, meaning) = Letter(name), letter_of(scene, after)
     total = chain(
-        Binary("+", angle, letter), (exchanged(equation.link.right, {after: letter}), None)
+        Binary("+", term.angle, letter),
+        (exchanged(equation.link.right, {after: letter, early: term.angle}), None),
     )
     move = Move("define", "sum", event, (body,))
-    data = data_of_approach(scene, body, frame)
     premises = scene.judge.enough(move, together(equation.refs, data, (meaning,)), total)
     number = None
     if premises is not None:
         number = scene.desk.write(move, premises, total)
         if more is not None:
-            number = _by_one_of_them(scene, number, (angle, letter), more, line)
+            number = _by_one_of_them(scene, number, (term, letter), more, line)
+        elif times is not None and term.refs:
+            number = _by_twice_the_other(scene, number, (term, letter), times, line)
         elif times is not None:
-            number = _by_its_multiple(scene, number, (angle, letter), times, line)
+            number = _by_its_multiple(scene, number, (term.angle, letter), times, line)
     if number is None:
         scene.desk.back(mark)
     return number
@@ -292,13 +307,13 @@ def _related_to_degrees(
     return None
 
 
-def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> sp.Expr | None:
+def _excess(scene: Scene, right: Expression, angles: tuple[Expression, Quantity]) -> sp.Expr | None:
     """How much more an angle after is than that before, where both add up to an expression.
 
     None where that is no number.
     """
     before, later = sp.Symbol("before"), sp.Symbol("later")
-    rest = _rest(scene, right, angle, after, before, later)
+    rest = _rest(scene, right, angles, before, later)
     if rest is None:
         return None
     either = (expanded(sign * rest + later - before) for sign in (1, -1))
@@ -306,11 +321,11 @@ def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> 
 
 
 def _multiple(
-    scene: Scene, right: Expression, angle: Letter, after: Quantity
+    scene: Scene, right: Expression, angles: tuple[Expression, Quantity]
 ) -> sp.Rational | None:
     """Which multiple of an angle before that after is, where both add up to an expression."""
     before, later = sp.Symbol("before"), sp.Symbol("later")
-    rest = _rest(scene, right, angle, after, before, later)
+    rest = _rest(scene, right, angles, before, later)
     if rest is None or rest.subs({before: 0, later: 0}) != 0 or not rest.coeff(later):
         return None
     times = -rest.coeff(before) / rest.coeff(later)
@@ -323,12 +338,12 @@ def _multiple(
 def _rest(
     scene: Scene,
     right: Expression,
-    angle: Letter,
-    after: Quantity,
+    angles: tuple[Expression, Quantity],
     before: sp.Symbol,
     later: sp.Symbol,
 ) -> sp.Expr | None:
     """An expression of two angles less both of them; None with anything else in it."""
+    angle, after = angles
     tree = exchanged(right, {after: Letter(later.name), angle: Letter(before.name)})
     if has_quantity(tree) or letters(tree) - {before.name, later.name}:
         return None
@@ -337,7 +352,7 @@ def _rest(
 
 
 def _by_its_multiple(
-    scene: Scene, number: int, angles: tuple[Letter, Letter], times: sp.Rational, line: int
+    scene: Scene, number: int, angles: tuple[Expression, Letter], times: sp.Rational, line: int
 ) -> int | None:
     """The tangent of an angle after a wall, as one of a multiple of that before."""
     (before, after), value = angles, scene.desk.last_link(line).right
@@ -352,11 +367,28 @@ def _by_its_multiple(
     return None
 
 
+def _by_twice_the_other(
+    scene: Scene, number: int, angles: tuple[Term, Letter], times: sp.Rational, line: int
+) -> int | None:
+    """The tangents of two angles of which one is twice the other; None of another multiple."""
+    before, after = angles[0], Term(angles[1], scene.desk.last_link(line).right, (line,))
+    if times not in (2, 1 / sp.Integer(2)):
+        return None
+    once, twice = (before, after) if times == 2 else (after, before)
+    relation = chain(twice.angle, (product(TWO, once.angle), None))
+    if not scene.judge.follows(Move("rearrange"), (number,), relation):
+        return None
+    number = scene.desk.write(Move("rearrange"), (number,), relation)
+    given = twice.tangent, twice.refs
+    return by_tangents(scene, number, "sum", (once, once), Apply("tan", twice.angle), given)
+
+
 def _by_one_of_them(
-    scene: Scene, number: int, angles: tuple[Letter, Letter], more: sp.Expr, line: int
+    scene: Scene, number: int, angles: tuple[Term, Letter], more: sp.Expr, line: int
 ) -> int | None:
     """The tangents of both angles, of which a line gives the sum and ``more`` is the difference."""
-    (before, after), value = angles, scene.desk.last_link(line).right
+    (term, after), value = angles, scene.desk.last_link(line).right
+    before = term.angle
     size = tree_of(tidy(abs(more)), angle=True)
     plus = bool(more > 0)
     right = before if more == 0 else Binary("+" if plus else "-", before, size)
@@ -365,10 +397,11 @@ def _by_one_of_them(
         return None
     number = scene.desk.write(Move("rearrange"), (number,), relation)
     if more == 0:
-        tangents = chain(Apply("tan", before), (value, None))
-        if scene.judge.follows(Move("put"), (line, number), tangents):
-            return scene.desk.write(Move("put"), (line, number), tangents)
+        tangents = chain(term.tangent, (value, None))
+        refs = (line, number, *term.refs)
+        if scene.judge.follows(Move("put"), refs, tangents):
+            return scene.desk.write(Move("put"), refs, tangents)
         return None
-    terms = Term(before, Apply("tan", before)), term_of_data(scene, size)
+    terms = term, term_of_data(scene, size)
     form: Form = "sum" if plus else "difference"
     return by_tangents(scene, number, form, terms, Apply("tan", after), (value, (line,)))
