@@ -160,7 +160,7 @@ def test_a_given_speed_goes_by_the_square_that_was_shown() -> None:
         "part b\ngiven speed(P) = 3/4 u\nfind sin(alpha)\n"
         "part c\ngiven speed(P) < 2/3 u\nfind range of alpha\n"
     )
-    assert "(¾u)² = u²(1 − ¾ sin²α) M1 9 = 16 − 12 sin²α" in parts["b"]
+    assert "(3u/4)² = u²(1 − ¾ sin²α) M1 9 = 16 − 12 sin²α" in parts["b"]
     assert "u²(1 − ¾ sin²α) < 4u²/9" in parts["c"]
 
 

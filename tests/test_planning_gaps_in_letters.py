@@ -77,7 +77,7 @@ SAYS = {
     "a quadratic by its discriminant": (
         THREE.format(e="1/2") + "show speed(C) < 2/3 u",
         (
-            "⅔u − speed of C = u(8k² − 11k + 8)/(12(1 + k)²)",
+            "2u/3 − speed of C = u(8k² − 11k + 8)/(12(1 + k)²)",
             "as the discriminant of 8k² − 11k + 8 is negative: 11² − 4 × 8 × 8 = −135",
         ),
     ),

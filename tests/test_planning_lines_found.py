@@ -64,7 +64,7 @@ find velocity(A), velocity(C)
         (
             "C was at rest, so it moves off along the line of centres",
             "perpendicular to 𝐢",
-            "𝐯_A = −(5/9)𝐢 + 𝐣",
+            "𝐯_A = (−(5/9)𝐢 + 𝐣) m s⁻¹",
         ),
     ),
     "perpendicular to a direction of the data": (

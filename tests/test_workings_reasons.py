@@ -521,7 +521,7 @@ show angle(velocity(P), W) <= alpha
             "sphere A: mass 2m, velocity u i + v j\nsphere B: mass m, velocity -u i + v j\n"
             "A hits B: along i\ngiven energy_lost = 1/3 energy(0), u > 0\nfind range of v/u"
         ),
-        ["In this range e² ≤ 1 as well."],
+        ["In this range e² ≤ 1 as well, as 5u² − 3v² < 8u²."],
     ),
     "a coordinate is by the component as the angle of the data has it": (
         (

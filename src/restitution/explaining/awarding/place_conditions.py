@@ -19,6 +19,8 @@ from restitution.expression.tree import (
     walk,
 )
 
+_TWO = 2
+
 
 def another_chord(work: Work, line: Line) -> bool:
     """A component on a chord, below another one in the part: the angles are equal once more.
@@ -145,9 +147,14 @@ def restated(work: Work, line: Line) -> bool:
 
 def between_places(work: Work, line: Line) -> bool:
     """A line of centres by the places of the two centres, of which one is worked out above."""
-    if not any(fact.id.startswith("axis ") for fact in work.facts(line)):
-        return False
-    return any(is_quantity(subject_of(premise), "position") for premise in work.cited(line))
+    between = [
+        {node for node in walk(fact.relation.only[0].right) if is_quantity(node, "position")}
+        for fact in work.facts(line)
+        if fact.id.startswith("axis ")
+    ]
+    return any(len(places) == _TWO for places in between) and any(
+        is_quantity(subject_of(premise), "position") for premise in work.cited(line)
+    )
 
 
 def between_at_rest(work: Work, line: Line) -> bool:

@@ -179,8 +179,26 @@ class Forms:
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""
         if tree not in self._printed:
-            self._printed[tree] = rebuilt(tree, self._node)
+            self._printed[tree] = rebuilt(self._with_whole_fractions(tree), self._node)
         return self._printed[tree]
+
+    def _with_whole_fractions(self, tree: Expression) -> Expression:
+        """A tree in which a part of a letter is one fraction, unless more factors follow: 3u/5."""
+        whole: dict[Expression, Expression] = {}
+
+        def change(node: Expression) -> Expression:
+            match node:
+                case Binary("*", Binary("/", Number(a) as above, Number(b) as below), Letter()) if (
+                    a > 1 and not self._is_decimal(a, b)
+                ):
+                    own = Binary("/", Binary("*", above, node.right), below)
+                    whole[own] = node
+                    return own
+                case Binary("*", left, right) if left in whole and not isinstance(right, Unit):
+                    return Binary("*", whole[left], right)
+            return node
+
+        return rebuilt(tree, change)
 
     def _node(self, node: Expression) -> Expression:
         match node:
@@ -254,7 +272,7 @@ class Forms:
             return None
         size = p / (q * m)
         root, radicand = _square_free(n * m)
-        known = self._typed.get((size * root, radicand))
+        known = None if first else self._typed.get((size * root, radicand))
         number = known or _number(size * root, radicand)
         whole = reduce(lambda a, b: Binary("*", a, b), first, number)
         match number:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import sympy as sp
 
@@ -51,7 +52,7 @@ def speed_of_a_flight(derivation: Derivation, naming: Naming, line: Line) -> Sen
     values = [(unit, value) for unit, side in sides if (value := _worth(side)) is not None]
     if sides and len(values) == len(sides):
         moving = [(unit, value) for unit, value in values if value != 0]
-        if len(moving) == 1 and len(sides) == 2 and moving[0][1] in (own, -own):
+        if len(moving) == 1 and len(sides) == 2 and _divides(naming, line, *moving[0], own):
             return say("flight.speed")
         fitting = {unit for unit, value in moving if value in (own, -own)}
         if len(fitting) > 1:  # whose components are equal comes to a wall across it
@@ -60,6 +61,17 @@ def speed_of_a_flight(derivation: Derivation, naming: Naming, line: Line) -> Sen
             return _in_the_direction(naming, line, fitting.pop())
     across = _across_a_wall(derivation, naming, line, speed)
     return say("flight.speed-there") if across is None else across
+
+
+def _divides(naming: Naming, line: Line, unit: Unit, value: Any, own: sp.Expr) -> bool:
+    """Whether a distance is divided by the only component, up to a number of the distance.
+
+    Such a number is told from the sine of an angle only where that component is the one into the
+    wall.
+    """
+    if value in (own, -own):
+        return True
+    return unit == _normal(naming, line) and bool((own / value).is_Integer)
 
 
 def _normal(naming: Naming, line: Line) -> Expression | None:

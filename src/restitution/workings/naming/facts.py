@@ -114,6 +114,10 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
             case Binary("*", size, Quantity() as whole) if _is_share(size):
                 share = _percentage(naming.as_typed(size))
                 bound = say("derived.part", share=share, value=naming.side(whole))
+            case Binary("*", Letter() | Number() as size, Quantity() as whole) if isinstance(
+                multiple := naming.side(whole), lay.Words | lay.Phrase
+            ):
+                bound = say("derived.times-the", share=naming.as_typed(size), value=multiple)
         return say(_BOUNDS[link.sign], quantity=left, value=bound)
     return naming.relation(fact.relation)
 

@@ -413,8 +413,9 @@ def as_answer(
 ) -> tuple[tuple[lay.Layout, str], ...]:
     """What is added to a value that was asked: its decimal, as answers have it, with its sign.
 
-    Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value,
-    and to a fraction of letters only where it is long, or the data have ``decimals``.
+    Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value, to
+    a vector of short fractions, and to a fraction of letters only where it is long, or the data
+    have ``decimals``.
     """
     if has_quantity(tree):
         return ()
@@ -426,6 +427,8 @@ def as_answer(
         x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
         shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
         exact = all(_is_decimal(component, _FIGURES) for component in (x, y))
+        if not (exact or place or decimals) and _is_short(x) and _is_short(y):
+            return ()
     elif isinstance(value, sp.Expr):
         decimals = decimals or _is_long_multiple(value)
         shown = lay.display(value, angle=is_measure_of_angle(tree), decimals=decimals)
@@ -444,6 +447,14 @@ def as_answer(
         sides = (shown, shown)  # the exact form is too long for an answer
     added = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
     return ((sides[0], "="), *added) if place else added
+
+
+def _is_short(value: sp.Expr) -> bool:
+    """Whether a component is a whole number, or a fraction below which stands one digit."""
+    return isinstance(value, sp.Rational) and value.q < _TEN
+
+
+_TEN = 10
 
 
 def _is_long_multiple(value: sp.Expr) -> bool:

@@ -40,7 +40,7 @@ _WITHIN: Mapping[tuple[str, bool], SentenceId] = {
     ("before", False): "range.within-before",
     ("before", True): "range.within-all-before",
 }
-_TWO = Number(Fraction(2))
+_ZERO, _TWO = Number(Fraction(0)), Number(Fraction(2))
 _ORDER = ("<", "<=", ">", ">=")
 
 
@@ -56,12 +56,15 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
         line = derivation.line(end.line)
         if line is None or not isinstance(ends.item(end.item), Range):
             continue
-        bounds = [
-            Link(bounded, *_OTHER[sign])  # type: ignore[arg-type]
+        kept = [
+            (bounded, value, sign)
             for bounded, value, sign in _bounds(derivation, line)
             if _holds(solution, line, bounded, value, sign)
         ]
-        bounds += _other_ends(solution, derivation, line)
+        bounds = [Link(bounded, *_OTHER[sign]) for bounded, _, sign in kept]  # type: ignore[arg-type]
+        reasons = [_reasons(solution, line, value, sign) for _, value, sign in kept]
+        ends_of_walls = list(_other_ends(solution, derivation, line))
+        bounds += ends_of_walls
         reached = list(_other_walls(solution, derivation, line))
         notes = []
         for number, own in _by_home(derivation, line, reached).items():
@@ -71,8 +74,14 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
             else:
                 sentences.setdefault(number, note)
         if bounds:
-            relations = tuple(naming.relation(Relation(((bound,),))) for bound in bounds)
-            notes.insert(0, say("range.also", bounds=relations))
+            relations, why = (
+                tuple(naming.relation(Relation(((own,),))) for own in links)
+                for links in (bounds, [own for grounds in reasons for own in grounds])
+            )
+            if ends_of_walls or not all(reasons):
+                notes.insert(0, say("range.also", bounds=relations))
+            else:
+                notes.insert(0, say("range.also-as", bounds=relations, reasons=why))
         if notes:
             both = len(notes) > 1
             sentences[line.number] = (
@@ -249,6 +258,39 @@ def _holds(
     if kinds != {"restitution"} or not isinstance(line.relation, Relation):
         return False
     return _follows(solution, line, value, *_OTHER[sign])
+
+
+def _reasons(solution: Solution, line: Line, value: Expression, sign: str) -> tuple[Link, ...]:
+    """Why a quotient keeps the other bound: it is less than 1, or its factors are not negative.
+
+    That it is less than 1 is seen where what is below exceeds what is above by terms of which none
+    is negative. Empty where no such reason is seen.
+    """
+    match value:
+        case Binary("/", above, below) if _follows(solution, line, below, ">", _ZERO):
+            pass
+        case _:
+            return ()
+    if sign == ">=":
+        return (Link(above, "<", below),) if _exceeds(solution, below, above) else ()
+    reasons: list[Link] = []
+    for side in (above, below):
+        if has_operator(side, "-"):
+            positive = _follows(solution, line, side, ">", _ZERO)
+            reasons.append(Link(side, ">" if positive else ">=", _ZERO))
+    holds = all(_follows(solution, line, own.left, own.sign, own.right) for own in reasons)
+    return tuple(reasons) if holds else ()
+
+
+def _exceeds(solution: Solution, more: Expression, less: Expression) -> bool:
+    """Whether a difference is a sum of which no term is negative, and not all are zero."""
+    own = roles(solution.problem)
+    try:
+        sides = [evaluate(side, lambda name: own[name].symbol(name)) for side in (more, less)]
+        terms = sp.Add.make_args(sp.expand(sides[0] - sides[1]))
+    except (RestitutionError, KeyError, TypeError, ValueError):
+        return False
+    return all(term.is_nonnegative for term in terms) and any(term.is_positive for term in terms)
 
 
 def _follows(

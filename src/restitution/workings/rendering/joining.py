@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 
-from restitution.explaining.lines.saying import Slot, say
+from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.render import layout as lay
 from restitution.workings.rendering.steps import Row, Step
 
@@ -15,6 +15,11 @@ _ONE: Mapping[tuple[str, Slot], tuple[str, Slot]] = {
     ("components", say("resolved.several")): ("components", say("resolved.one")),
     ("products", say("resolved.several-products")): ("products", say("resolved.one-product")),
 }
+
+_FROM_REST = frozenset(
+    ("moves-along.from-rest", "derived-speed.along-from-rest", "derived.along-centres-from-rest")
+)
+_ALONG = frozenset(("moves-along.title", "derived-speed.along", "derived.along-centres"))
 
 
 def joined(steps: Iterable[Step]) -> Iterator[Step]:
@@ -26,6 +31,8 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
     last: Step | None = None
     for step, after in pairwise((*steps, None)):
         assert step is not None
+        if last is not None and _says_the_way_again(last, step):
+            step = replace(step, title=None, sentences=())
         if (
             last is not None
             and last.kind == step.kind == "setting"
@@ -52,6 +59,20 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
         last = step
     if last is not None:
         yield _counted(last)
+
+
+def _says_the_way_again(last: Step, step: Step) -> bool:
+    """Whether words say only that a body moves along the line of centres, as those above do."""
+    above, own = _only_words(last), _only_words(step)
+    if above is None or own is None or not last.rows:
+        return False
+    return above.id in _FROM_REST and own.id in _ALONG and above.slots == own.slots
+
+
+def _only_words(step: Step) -> Sentence | None:
+    """The title of a step, or its only sentence; None where there are more words, or none."""
+    words = [*step.sentences, *([step.title] if step.title else ())]
+    return words[0] if len(words) == 1 and step.source is None else None
 
 
 def _goes_on(step: Step, after: Step | None) -> bool:

@@ -15,6 +15,7 @@ SENTENCES: Mapping[str, str] = {
         "This always holds, as {bounds:and}, so every value of {letter} is possible:"
     ),
     "range.also": "In this range {bounds:and} as well.",
+    "range.also-as": "In this range {bounds:and} as well, as {reasons:and}.",
     "range.both": "{one} {two}",
     "range.within": "In this range {bounds:and}, so {body} hits {walls:and} between its ends too.",
     "range.within-anyway": "{body} hits {walls:and} between its ends too, as {bounds:and}.",

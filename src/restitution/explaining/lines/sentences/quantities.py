@@ -119,6 +119,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.less": "the {quantity} is less than {value}",
     "derived.at-most": "the {quantity} is at most {value}",
     "derived.part": "{share} of the {value}",
+    "derived.times-the": "{share} times the {value}",
     "derived.same": "the {quantity} is equal to the {value}",
     "derived.share": "the {quantity} is {share} of the {value}",
     "derived.times": "the {quantity} is {share} times the {value}",
