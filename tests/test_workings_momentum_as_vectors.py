@@ -45,6 +45,29 @@ SAYS = {
         ["2(4𝐢 − 𝐣) + 3(−𝐢 + 𝐣) = 2(𝐢 + 2𝐣) + 3(x𝐢 + y𝐣)", "x = 1", "y = −1"],
         ["line of centres", "·"],
     ),
+    # What A loses is what B has, who was at rest.
+    "a velocity from rest beside one that is given": (
+        """
+        sphere A: mass 2, velocity 5i + 3j
+        sphere B: mass 1, at rest
+        A hits B
+        given velocity(A) = 3i + j
+        find velocity(B)
+        """,
+        ["2(5𝐢 + 3𝐣) = 2(3𝐢 + 𝐣) + 𝐯_B", "𝐯_B = (4𝐢 + 4𝐣) m s⁻¹"],
+        ["line of centres", "·"],
+    ),
+    "a speed and a deflection beside a velocity that is given": (
+        """
+        sphere A: mass 2, velocity 5i + 3j
+        sphere B: mass 1, velocity i - j
+        A hits B
+        given velocity(A) = 3i + j
+        find speed(B), deflection(B)
+        """,
+        ["2(5𝐢 + 3𝐣) + (𝐢 − 𝐣) = 2(3𝐢 + 𝐣) + 𝐯_B", "√(5² + 3²) = √34"],
+        ["line of centres", "𝐧"],
+    ),
     # The component across the line is seen to stay there.
     "a line of centres along an axis": (
         """

@@ -60,7 +60,8 @@ def of_tree(
 ) -> lay.Layout:
     """A tree as it is printed; the letters that are ``vectors`` stand in bold type."""
     called: dict[str, lay.Layout] = {}
-    printed = (forms or Forms()).printed
+    forms = forms or Forms()
+    printed, tree = forms.printed, forms.with_whole_fractions(tree, vectors)
     if names is None or not has_quantity(tree):
         return _laid_out(printed(tree), frozenset(vectors), ())
 
@@ -179,19 +180,22 @@ class Forms:
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""
         if tree not in self._printed:
-            self._printed[tree] = rebuilt(self._with_whole_fractions(tree), self._node)
+            self._printed[tree] = rebuilt(tree, self._node)
         return self._printed[tree]
 
-    def _with_whole_fractions(self, tree: Expression) -> Expression:
-        """A tree in which a part of a letter is one fraction, unless more factors follow: 3u/5."""
+    def with_whole_fractions(self, tree: Expression, vectors: AbstractSet[str]) -> Expression:
+        """A tree in which a part of a letter is one fraction, unless more factors follow: 3u/5.
+
+        Of a letter for a vector a part stands before it: ⅔**v**.
+        """
         whole: dict[Expression, Expression] = {}
 
         def change(node: Expression) -> Expression:
             match node:
-                case Binary("*", Binary("/", Number(a) as above, Number(b) as below), Letter()) if (
-                    a > 1 and not self._is_decimal(a, b)
-                ):
-                    own = Binary("/", Binary("*", above, node.right), below)
+                case Binary(
+                    "*", Binary("/", Number(a) as above, Number(b) as below), Letter(name) as letter
+                ) if a > 1 and name not in vectors and not self._is_decimal(a, b):
+                    own = Binary("/", Binary("*", above, letter), below)
                     whole[own] = node
                     return own
                 case Binary("*", left, right) if left in whole and not isinstance(right, Unit):
@@ -360,6 +364,10 @@ class AsTyped(Forms):
     """The form in which a tree was typed, whatever form its numbers have elsewhere."""
 
     def printed(self, tree: Expression) -> Expression:
+        """The tree itself."""
+        return tree
+
+    def with_whole_fractions(self, tree: Expression, vectors: AbstractSet[str]) -> Expression:
         """The tree itself."""
         return tree
 

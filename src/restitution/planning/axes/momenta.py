@@ -17,8 +17,37 @@ from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
 
 
-def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
-    """A second velocity after an impact in a slanting direction, by momentum as vectors.
+def write_by_momentum(scene: Scene, asked: Expression) -> Quantity | None:
+    """The velocity under what is asked, by the momentum of both spheres; None where none is."""
+    velocity = _velocity_under(scene, asked)
+    if velocity is None or not _is_by_momentum(scene, velocity):
+        return None
+    return velocity
+
+
+def _velocity_under(scene: Scene, asked: Expression) -> Quantity | None:
+    """The velocity that is asked, or that of the sphere whose speed, energy or direction is.
+
+    The latter only where the velocity of the other sphere is given.
+    """
+    match asked:
+        case Quantity("velocity"):
+            return asked
+        case Quantity("speed" | "energy" | "direction" | "deflection", (Name(body),), int(stage)):
+            pass
+        case _:
+            return None
+    last = scene.last_event(body, stage)
+    if not last or len(scene.spheres(last)) != len(scene.bodies(last)):
+        return None
+    others = (own for own in scene.bodies(last) if own != body)
+    if not any(_is_given(scene, Quantity("velocity", (Name(own),), last)) for own in others):
+        return None
+    return Quantity("velocity", (Name(body),), last)
+
+
+def _is_by_momentum(scene: Scene, velocity: Quantity) -> bool:
+    """Whether a second velocity after a slanting impact is written by momentum as vectors.
 
     Nothing is written, and False returned, where the velocities are not vectors that are known.
     """
@@ -45,9 +74,10 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
         or not all(component.is_number for component in frame.n)
     ):
         return False
-    if not scene.last_event(body, stage - 1) and not any(scene.initial(body).value):
-        return False  # it moves off along the line of centres
     (other,) = (sphere for sphere in scene.spheres(stage) if sphere != body)
+    rested = not scene.last_event(body, stage - 1) and not any(scene.initial(body).value)
+    if rested and not _is_given(scene, Quantity("velocity", (Name(other),), stage)):
+        return False  # it moves off along the line of centres
     after = velocity_as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
     before = [velocity_as_vector(scene, body, stage - 1) for body in scene.bodies(stage)]
     if after is None or None in before:
@@ -107,6 +137,12 @@ def write_total_kept(scene: Scene, momentum: Quantity) -> bool:
     )
 
 
+def _is_given(scene: Scene, quantity: Quantity) -> bool:
+    """Whether an equation of the statement says what a quantity is."""
+    links = (equation.link for equation in scene.given)
+    return any(link.sign == "=" and link.left == quantity for link in links)
+
+
 def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
     """Whether the part asks for what the component along the line of centres tells.
 
@@ -116,8 +152,7 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
         return True
     velocity = Quantity("velocity", (Name(body),), stage)
     others = [Quantity("velocity", (Name(o),), stage) for o in scene.bodies(stage) if o != body]
-    links = [equation.link for equation in scene.given]
-    is_given = any(link.sign == "=" and link.left in others for link in links)
+    is_given = any(_is_given(scene, other) for other in others)
     for tree in scene.asked:
         match tree:
             # Beside a velocity that is given the components are not worked out for the laws.

@@ -33,7 +33,6 @@ from restitution.expression.tree import (
     children,
     has_quantity,
     is_function,
-    is_quantity,
     letters,
     walk,
 )
@@ -94,8 +93,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
     Raises NotPlannedError where there is no plan for it.
     """
-    if is_quantity(asked, "velocity") and write_by_momentum(scene, asked):
-        solver.take_velocity(asked)
+    velocity = write_by_momentum(scene, asked)
+    if velocity is not None:
+        solver.take_velocity(velocity)
     at_once = _at_once(scene, asked)
     if at_once is not None:
         _end(scene, asked, name, at_once)
