@@ -372,3 +372,19 @@ find speed(P)
 )
 def test_the_angle_at_which_a_wall_is_hit(line: str, verdict: str) -> None:
     assert verdicts(marking(BENT, line)) == [verdict]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "across the line of centres speed of A × sin 60 = ½u",
+        "perp to LOC speed of A sin 60 = u/2",
+        "speed of A after sin 60 = u/2",
+        "along the line the speed of A * cos 60 = √3u/6",
+    ],
+)
+def test_a_speed_is_resolved_by_the_sine_or_cosine_behind_it(line: str) -> None:
+    statement = "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
+    statement += "A hits B: offset r\ngiven deflection(A) = 30°\nfind speed(A)"
+    marking = restitution.mark(restitution.solve(restitution.parse(statement)), line)
+    assert [judged.verdict for judged in marking.lines] == ["true"]

@@ -133,3 +133,24 @@ def test_an_angle_beside_a_blow_may_be_one_to_i(typed: str) -> None:
     text = f"v = 5i - j\n{typed}\ndeflection = 56.3"
     marking = restitution.mark(restitution.parse(BLOW), text).json()
     assert [line["verdict"] for line in marking["lines"]] == ["true", "true", "true"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "state"),
+    [
+        ("unit vector = (3i + 4j)/5", "earned"),
+        ("so the unit vec: 0.6i + 0.8j", "earned"),
+        ("unit vector along I = -0.6i - 0.8j", "earned"),
+        ("a unit vector in the direction of the impulse is (3i + 4j)/5", "earned"),
+        ("unit vector = (4i - 3j)/5", "lost"),
+        ("unit vector parallel to the impulse = (4i - 3j)/5", "lost"),
+    ],
+)
+def test_a_unit_vector_tells_the_line_of_centres(typed: str, state: str) -> None:
+    statement = "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 1, velocity -3i - 7j\n"
+    statement += "A hits B\ngiven velocity(A) = 2i - 2j\nfind line_of_centres"
+    lines = ["change in velocity of A = -3i - 4j", typed]
+    marking = restitution.mark(restitution.solve(restitution.parse(statement)), lines)
+    assert (marking.lines[1].verdict == "false") is ("parallel" in typed)
+    alone = restitution.mark(restitution.solve(restitution.parse(statement)), typed)
+    assert alone.marks.points[-1].state == state

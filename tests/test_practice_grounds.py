@@ -507,7 +507,8 @@ def test_a_wrong_angle_to_a_wall_is_no_method_for_it() -> None:
     lines = ["angle with BC = 80 - 22.76 = 57.24", "parallel = 4.984cos57.24 = 2.697"]
     lines += ["perp = 0.5 x 4.984sin57.24 = 2.096", "speed = 3.42"]
     own = states(CORNER, "b", *lines)
-    assert [x[-1] for x in own if x[:2] == "M1"] == ["-", "-"]
+    # The angle has a point of its own; the components by it, and the speed, stand.
+    assert [x[-1] for x in own if x[:2] == "M1"] == ["-", "+"]
     assert [x[-1] for x in own if x[:2] == "B1"] == ["+", "+"]
     assert own[-2:] == ["DM1 speed +", "A1ft speed -"]
 

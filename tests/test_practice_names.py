@@ -148,3 +148,53 @@ find velocity(P), impulse"""
 )
 def test_a_coefficient_of_one_or_more_is_no_datum_misread(lines: list[str], name: str) -> None:
     assert names(REBOUND, *lines) == [name, *[None] * (len(lines) - 1)]
+
+
+MEASURED = """wall W: along i
+sphere P: mass 2, velocity 12 at 50° to W
+P hits W
+given angle(velocity(P), W) = 35°
+find e"""
+LEFT = """sphere A: mass 3, velocity 2i + 5j
+sphere B: mass 2, velocity i - 3j
+A hits B: along j
+given velocity(B) = i + 6j
+find velocity(A)"""
+EQUAL = """sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+given tan(alpha) = 3/4
+find deflection(A)"""
+PARTED = """sphere A: mass 3, velocity 4i + 2j
+sphere B: mass 1, velocity -2i
+A hits B: along i, e = 1/2
+find energy_lost"""
+
+
+def test_a_component_kept_by_sines_stands_for_the_one_along_a_wall() -> None:
+    kept, slowed = "v sin 35 = 12 sin 50", "v cos 35 = 12e cos 50"
+    for lines in ([kept, slowed], [f"12 sin 50 = {kept[:8]}", "v = 16.0", slowed]):
+        assert names(MEASURED, *lines)[0] == "sine-cosine"
+    assert names(MEASURED, slowed, kept)[0] == "restitution-parallel"
+
+
+def test_terms_that_are_all_momenta_have_a_mistake_of_momentum() -> None:
+    for line in ("15 + 6 = 3v + 12", "3v + 12 = 3(5) + 2(3)"):
+        marking = restitution.mark(
+            solution_of(LEFT), [line, "v = 3"], letters={"v": "along(velocity(A), j)"}
+        ).json()
+        assert marking["lines"][0]["mistake"]["id"] == "momentum-sign"
+
+
+def test_two_angles_added_up_are_a_deflection_by_their_sum() -> None:
+    letters = {"b": "angle(velocity(A), i)", "δ": "deflection(A)"}
+    marking = restitution.mark(solution_of(EQUAL), ["tan b = 3", "δ = b + α"], letters=letters)
+    mistake = marking.lines[1].mistake
+    assert mistake is not None
+    assert mistake.id == "deflection-difference"
+
+
+def test_squares_of_differences_are_no_energy_of_one_sphere() -> None:
+    # A goes from 4 to 7/4 along the line of centres, B from -2 to 19/4.
+    line = "KE lost = ½(3)(4 - 1.75)² + ½(1)(4.75 + 2)²"
+    assert names(PARTED, line) == ["energy-of-difference"]

@@ -393,3 +393,78 @@ def test_a_letter_may_multiply_the_vector_along_which_a_sphere_leaves() -> None:
     other = other.replace("mass 3", "mass 3, velocity 6i").replace("e = 3/4", "e = 1/2")
     assert verdicts(other, "v_B = q(i + j)", "18i = 3v_A + 2q(i + j)", "q = 2.7") == ["true"] * 3
     assert verdicts(other, "v_B = q(i + j)", "18i = 3v_A + 3q(i + j)")[1] == "false"
+
+
+SLOWED = """wall W: along i
+sphere P: mass m, velocity u at theta to W
+P hits W
+given tan(theta) = 3/4, speed(P) = 7/8 u
+find e"""
+CORNER = """wall AB: along i
+wall BC: along 70°
+sphere P: velocity 9 at 35° to AB
+part a
+P hits AB: e = 1/2
+find speed(P), angle(velocity(P), AB)
+part b
+P hits BC: e = 3/5
+find speed(P)"""
+DIAGONAL = """sphere A: mass 2, velocity 6i - 3j
+sphere B: mass 3, at rest
+A hits B: along i, e = 1/2
+find speed(A), speed(B)"""
+
+
+def test_a_speed_by_a_sum_of_components_has_no_method() -> None:
+    before = ["parallel 4u/5", "perp 3eu/5"]
+    method = "speed from its components"
+    assert of(SLOWED, method, *before, "7u/8 = 4u/5 + 3eu/5", "e = 1/8") == [False]
+    assert of(SLOWED, method, *before, "(7u/8)² = (4u/5)² + (3eu/5)²") == [True]
+
+
+def test_a_ratio_of_whole_speeds_shows_no_component_that_stays() -> None:
+    assert earned(SLOWED, "7u/8 = e × u", "e = 7/8") == 0
+
+
+def test_an_answer_that_follows_needs_the_method_of_the_other() -> None:
+    assert earned(DIAGONAL, "speed of A = 3", "speed of B = 4.5") == 0
+
+
+def test_components_at_the_angle_of_the_wall_before_are_resolved() -> None:
+    lines = ["parallel to BC: 7.810 cos 19.3 = 7.37", "perp: 0.6 × 7.810 sin 19.3 = 1.55"]
+    marking = restitution.mark(
+        solution_of(CORNER), "\n".join([*lines, "speed = √(7.37² + 1.55²) = 7.53"]), part="b"
+    )
+    won = [(x.point.kind, x.point.purpose) for x in marking.marks.points if x.state == "earned"]
+    assert ("DM1", "speed from its components") in won
+    assert ("M1", "components") in won
+    assert not any(kind.startswith("A1") for kind, _ in won)
+
+
+def test_another_angle_of_deflection_below_the_right_one_withdraws_it() -> None:
+    statement = "wall W: along i\nsphere P: mass 2, velocity 9i - 5j\nP hits W: e = 3/5\n"
+    statement += "find deflection(P)"
+    lines = ["cos t = (81 - 15)/(√106 × √90)", "deflection = 47.5"]
+    assert of(statement, "correct answer", *lines) == [True]
+    for last in ("so it is deflected through 180 - 47.5 = 132.5", "angle of deflection = 132.5"):
+        assert of(statement, "correct answer", *lines, last) == [False]
+
+
+def test_that_two_speeds_are_equal_is_said_in_words() -> None:
+    statement = "sphere A: mass m, velocity 5i + 3j\nsphere B: mass m, velocity i + 3j\n"
+    statement += "A hits B: along i, e = 0\nshow speed(A) = speed(B)"
+    lines = ["5 + 1 = v + w", "w - v = 0", "v = w = 3", "speed of A = √(9 + 9) = 3√2"]
+    lines += ["speed of B = √(9 + 9) = 3√2"]
+    for last in ("so the speeds are equal", "they have the same speed", "speed of A = speed of B"):
+        assert points(statement, *lines, last)[-1][2]
+    assert not points(statement, *lines[:4], "so the speeds are equal")[-1][2]
+
+
+def test_what_is_truly_zero_may_be_a_divisor() -> None:
+    statement = "sphere A: mass m, velocity u at 60°\nsphere B: mass m, at rest\n"
+    statement += "A hits B: along i, e = 1\nfind deflection(A)"
+    letters = {"v": "along(velocity(A), i)"}
+    marking = restitution.mark(
+        solution_of(statement), ["tan 30 = (√3u/2)/v", "v = 3u/2"], letters=letters
+    )
+    assert [line.verdict for line in marking.lines] == ["false", "follows"]

@@ -12,9 +12,11 @@ from restitution.expression.tree import (
     STRAIGHT_ANGLE,
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     is_binary,
     walk,
@@ -28,6 +30,8 @@ from restitution.practice.worlds.world import World
 INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
 """The function that gives an angle by its sine, its cosine or its tangent."""
 
+# Right and straight angles, and whole turns, in degrees.
+_TURNED = (90, 180, 270, 360)
 _UNNAMED = frozenset({UNNAMED_ANGLE, UNNAMED_DIRECTION})
 
 
@@ -60,3 +64,18 @@ def is_sum_of_angles(entry: Entry) -> bool:
     angle = any(isinstance(node, Quantity) and node.kind in ANGLES for node in walk(meant))
     sums = is_binary(right, "+", "-")
     return angle and sums and not any(isinstance(node, Apply | Letter) for node in walk(right))
+
+
+def adds_two_angles(tree: Expression) -> bool:
+    """Whether two angles that are not right or straight ones are added up: ``β + α``."""
+    if not is_binary(tree, "+", "-"):
+        return False
+    pending: list[Expression] = [tree.left, tree.right]
+    own = 0
+    while pending:
+        node = pending.pop()
+        if is_binary(node, "+", "-"):
+            pending += [node.left, node.right]
+        elif not (isinstance(node, Number | Degrees) and node.value in _TURNED):
+            own += 1
+    return own > 1

@@ -46,6 +46,25 @@ def is_sine_for_cosine(entry: Entry, world: World) -> bool:
     )
 
 
+def is_kept_by_sines(entry: Entry, world: World) -> bool:
+    """Whether the component into a wall is set equal to that before: ``v sin β = u sin α``.
+
+    As the first of two equations, the other one with e, it stands for that along the wall.
+    """
+    sides = entry.claim.left, entry.claim.right
+    if entry.claim.sign != "=" or any(set(_functions_in(side)) != {"sin"} for side in sides):
+        return False
+    return any(
+        all(
+            _is_component(side, stage, step.first, number, entry, world)
+            for side, stage in ((before, number - 1), (after, number))
+        )
+        for number, step in enumerate(world.events, 1)
+        if isinstance(step, Impact) and step.second in world.walls
+        for before, after in permutations(sides)
+    )
+
+
 def is_speed_in_other_ratio(entry: Entry, world: World) -> bool:
     """Whether the speed before is resolved in the ratio of the other component: ``along ½u``.
 

@@ -9,7 +9,7 @@ from typing import Protocol
 from restitution.explaining.mistakes.misconceptions import (
     VariantAt,
 )
-from restitution.practice.judgement import Use
+from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.judged_link import Question
 from restitution.practice.script import Claim
@@ -28,7 +28,8 @@ class Explained:
     misconception in a line that states no law. ``direct`` tells that nothing moves across the lines
     of centres, ``of_impulse`` that the claim gives an impulse, ``along`` that it gives a speed or a
     distance by components along the line alone, ``over`` that what it goes on from is asked for in
-    an earlier part, ``shadowed`` the altered laws that others are plainer than.
+    an earlier part, ``by_sines`` that it sets the component into a wall equal to that before by
+    sines, ``shadowed`` the altered laws that others are plainer than.
     """
 
     variants: tuple[VariantAt, ...] = ()
@@ -41,12 +42,17 @@ class Explained:
     of_impulse: bool = False
     along: bool = False
     over: bool = False
+    by_sines: bool = False
     shadowed: frozenset[str] = frozenset()
 
     @property
     def is_empty(self) -> bool:
         """Whether neither a misconception nor a slip explains the claim."""
         return not (self.variants or self.plain or self.slip)
+
+    def is_by_itself(self, mistake: Mistake) -> bool:
+        """Whether a mistake has its name from the claim, and not from an altered law."""
+        return not mistake.variants or (self.by_sines and mistake.id == "sine-cosine")
 
     def shared_with(self, other: Explained) -> Explained:
         """What explains this claim and another of its line, if anything explains both."""

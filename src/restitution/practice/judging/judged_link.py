@@ -70,3 +70,8 @@ def as_decided(line: ScriptLine, judged: Sequence[JudgedLink]) -> ScriptLine:
 
     links = (decided(link, own.claim) for link, own in zip(line.links, judged, strict=True))
     return replace(line, links=tuple(links))
+
+
+def goes_on(before: JudgedLink, link: JudgedLink) -> bool:
+    """Whether a link goes on from a true one as a chain."""
+    return before.verdict == "true" and before.claim.right == link.claim.left

@@ -1,25 +1,31 @@
-"""Values that altered definitions give: the quantity that a claim names, and its value."""
+"""What a claim gives a value: an impulse, a loss, an angle; and by which altered definition."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import ResultAt
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
+    Number,
     Quantity,
+    is_binary,
     is_component,
+    is_function,
     is_quantity,
     unsigned,
 )
 from restitution.practice.judging.claimed import holds_in
-from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_mistakes import not_negative
 from restitution.practice.worlds.world import World
 
@@ -77,3 +83,23 @@ def _gives(entry: Entry, value: Expression, world: World) -> bool:
     """Whether the right side of a claim has the value of a tree."""
     claim = type(entry.claim)(value, "=", entry.claim.right)
     return holds_in(Entry(entry.number, claim, entry.meanings, entry.scope, entry.decimals), world)
+
+
+def is_worked_angle(entry: Entry) -> bool:
+    """Whether a claim gives the cosine of an angle by a quotient of products of numbers."""
+    left, right = entry.claim.left, entry.claim.right
+    named = is_function(left, "cos") and isinstance(left.argument, Letter | Quantity)
+    return named and is_binary(right, "/") and is_binary(right.left, "+", "-") and is_numeric(right)
+
+
+def is_loss(entry: Entry) -> bool:
+    """Whether a claim gives what is lost of kinetic energy a value that is not zero."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    return kind_of(meant) in LOSSES and entry.claim.right != Number(Fraction(0))
+
+
+def is_deflection(entry: Entry) -> bool:
+    """Whether the left side of a claim is the angle between two directions of one body."""
+    left = entry.claim.left
+    return is_turn(entry.meanings.get(left.name, left) if isinstance(left, Letter) else left)

@@ -19,7 +19,7 @@ from restitution.explaining.mistakes.misconceptions import (
     VariantAt,
     variants_at,
 )
-from restitution.expression.quantities import ANGLES, LOSSES
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -28,22 +28,27 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_unit_vector,
-    is_binary,
     is_function,
     letters,
     unsigned,
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
-from restitution.practice.judging.angles import is_sum_of_angles
+from restitution.practice.judging.angles import adds_two_angles, is_sum_of_angles
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
-from restitution.practice.judging.exchanged_components import is_sine_for_cosine
+from restitution.practice.judging.exchanged_components import is_kept_by_sines, is_sine_for_cosine
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
-from restitution.practice.judging.named_results import is_impulse, is_result
-from restitution.practice.judging.other_forms import is_turn, kind_of
+from restitution.practice.judging.named_results import (
+    is_deflection,
+    is_impulse,
+    is_loss,
+    is_result,
+    is_worked_angle,
+)
+from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.plain_deflections import (
     is_deflection_as_angle,
     is_given_deflection,
@@ -80,9 +85,11 @@ from restitution.practice.judging.solved_values import (
     is_along_alone,
     is_decided,
     is_over,
+    of_this_part,
 )
 from restitution.practice.judging.squares import is_worth
 from restitution.practice.judging.typed_energies import are_energies, is_halved
+from restitution.practice.judging.written_laws import is_written_momentum
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.phrase_names import is_phrase, is_relative
@@ -99,6 +106,7 @@ _OF_SIGNS = frozenset(
 _OF_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component", "impulse-of-speeds"})
 # Where a speed is the size of a component, these are what they are called.
 _PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "restitution-inverted"})
+_OF_DEFLECTION = frozenset({"deflection-is-after", "deflection-difference"})
 _OF_ANGLES = frozenset({"sine-cosine", "angle-from-normal"})
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
@@ -177,7 +185,7 @@ class Names:
             )
         plainer = whole or law or (unresolved and not variants)
         slip = kind_of_slip(entry, judge, mended)
-        if slip == "arithmetic" and is_sum_of_angles(entry) and not _is_deflection(entry):
+        if slip == "arithmetic" and is_sum_of_angles(entry) and not is_deflection(entry):
             slip = None  # which angles they are is wrong, and not their sum
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
@@ -195,6 +203,12 @@ class Names:
         if len(families) > 1 and plain in families and "across-exchanged" not in families:
             # What the line shows by itself decides between laws that give one value.
             variants = tuple(variant for variant in variants if variant.mistake == plain)
+        if families == _OF_DEFLECTION and adds_two_angles(entry.claim.right):
+            variants = tuple(v for v in variants if v.mistake == "deflection-difference")
+        if plain == "energy-of-difference" and plain not in families:
+            variants = ()  # a square of a difference is no energy of one sphere
+        if is_numeric(entry.claim.right) and not is_of_a_journey(entry):
+            variants = of_this_part(variants, judge.base)
         if not self._by_states(entry, judge) and is_decided(entry, judge):
             variants, plain = (), None
         if is_coefficient(entry) and families == {"speed-for-component"}:
@@ -224,7 +238,7 @@ class Names:
                 and within
             ):
                 plain = "restitution-sign"
-            if is_sum_of_angles(entry) and _is_deflection(entry):
+            if is_sum_of_angles(entry) and is_deflection(entry):
                 plain = "deflection-difference"
         signs = any(correction.change == "sign" for correction in mended)
         signs = signs or any(_replaces(variant, "restitution") for variant in variants)
@@ -249,6 +263,7 @@ class Names:
             of_impulse=impulse,
             along=alone,
             over=over,
+            by_sines=is_kept_by_sines(entry, judge.base),
             shadowed=frozenset(shadowed),
         )
 
@@ -292,6 +307,8 @@ class Names:
         if name == "angle-from-normal" and any(own.mistake == "sine-cosine" for own in every):
             # That in every line is sine for cosine in each.
             name, families = "sine-cosine", ("sine-cosine", *families)
+        if name == "restitution-parallel" and explained.by_sines:
+            return Mistake("sine-cosine", "misconception", ids, at=explained.at)
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(family for family in families if family != name and family not in dull)
         return Mistake(name, "misconception", ids, also, explained.at, sure=not also)
@@ -335,6 +352,10 @@ class Names:
             # Who works out what is lost does not take all for kept.
             by_states = [state for state in by_states if state.mistake != "energy-conserved"]
         by_states = list(self._of_masses(entry, by_states))
+        parallel = {state.mistake for state in by_states} == {"restitution-parallel"}
+        if parallel and is_written_momentum(entry, judge.base):
+            worlds = self._worlds(entry, judge)
+            by_states = [state for state in worlds if _replaces(state, "momentum")] or by_states
         quoted = "e" in letters(entry.claim.right)
         known = any(map(has_coefficient, self.problem.events)) or quoted
         if not known and is_speed_by_energies(entry, judge.base):
@@ -677,23 +698,3 @@ def _is_of_a_whole_speed(variant: VariantAt, world: World) -> bool:
 def _replaces(variant: VariantAt, law: str) -> bool:
     """Whether a variant has another law in place of one."""
     return any(other.law == law for other in variant.laws)
-
-
-def is_worked_angle(entry: Entry) -> bool:
-    """Whether a claim gives the cosine of an angle by a quotient of products of numbers."""
-    left, right = entry.claim.left, entry.claim.right
-    named = is_function(left, "cos") and isinstance(left.argument, Letter | Quantity)
-    return named and is_binary(right, "/") and is_binary(right.left, "+", "-") and is_numeric(right)
-
-
-def is_loss(entry: Entry) -> bool:
-    """Whether a claim gives what is lost of kinetic energy a value that is not zero."""
-    left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    return kind_of(meant) in LOSSES and entry.claim.right != Number(Fraction(0))
-
-
-def _is_deflection(entry: Entry) -> bool:
-    """Whether the left side of a claim is the angle between two directions of one body."""
-    left = entry.claim.left
-    return is_turn(entry.meanings.get(left.name, left) if isinstance(left, Letter) else left)

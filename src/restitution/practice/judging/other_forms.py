@@ -36,6 +36,7 @@ from restitution.practice.judging.entries import Meanings, is_numeric
 from restitution.practice.reading.grammar import is_vector
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim
+from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 from restitution.vector import Vector
@@ -272,6 +273,25 @@ def of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim
     for sphere in world.problem.spheres:
         own = Quantity("impulse", (Name(sphere.name),), size.stage)
         yield from (replace(claim, left=side) for side in (own, Apply("abs", own)))
+
+
+def without_divisors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
+    """A claim cleared of a quotient whose divisor is truly zero, if it does not hold so.
+
+    Where nothing moves along a line, ``tan 30 = 3/v`` has no value, and is false all the same.
+    """
+    if claim.sign != "=" or claim.others:
+        return
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        if not is_binary(one, "/"):
+            continue
+        cleared = replace(claim, left=Binary("*", other, one.right), right=one.left)
+        try:
+            zero = np.all(np.abs(world.spread(world.scalar(one.right, meanings))) < _OBLIQUE)
+            if zero and agrees(cleared, world, meanings, ()) is None:
+                yield cleared
+        except RestitutionError:
+            continue
 
 
 def by_components(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:

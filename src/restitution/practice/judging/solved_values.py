@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Binary,
     Letter,
@@ -83,6 +85,14 @@ def is_over(number: int, world: World) -> bool:
     ]
     own = [now for _, now in problem.asked(part)]
     return bool(done and own) and number <= max(done) < max(own)
+
+
+def of_this_part(variants: Sequence[VariantAt], world: World) -> tuple[VariantAt, ...]:
+    """Altered laws without those of events that are over.
+
+    Who works something out in a later part has had what an earlier one asks for.
+    """
+    return tuple(x for x in variants if not (x.laws and is_over(x.event.number, world)))
 
 
 def has_kept_across(number: int, judge: JudgedSoFar) -> bool:

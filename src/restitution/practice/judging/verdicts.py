@@ -47,6 +47,7 @@ from restitution.practice.judging.judged_link import (
     JudgedLink,
     Question,
     as_decided,
+    goes_on,
 )
 from restitution.practice.judging.listed import as_components
 from restitution.practice.judging.other_forms import (
@@ -56,6 +57,7 @@ from restitution.practice.judging.other_forms import (
     label_in,
     of_natures,
     of_vectors,
+    without_divisors,
 )
 from restitution.practice.judging.own_values import Naming
 from restitution.practice.judging.support import Support
@@ -167,7 +169,7 @@ class Judge(Unlabelled):
         uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
             uses = with_variants(uses, explained.variants, mistake)
-        if mistake.kind == "misconception" and not mistake.variants:
+        if mistake.kind == "misconception" and explained.is_by_itself(mistake):
             uses = tuple(use if use.altered is None else of_mistake(mistake, use) for use in uses)
         if mistake.id == "energy-fraction-of-line" and all(x.principle != "energy" for x in uses):
             uses = (Use("energy", None, (), f"{mistake.id}/1"), *uses)
@@ -394,7 +396,7 @@ class Judge(Unlabelled):
         if (other := self._explained_otherwise(entry, explained)) is not None:
             return other
         start = end = place
-        while start and _goes_on(links[start - 1], links[start]):
+        while start and goes_on(links[start - 1], links[start]):
             start -= 1
         while end + 1 < len(links) and links[end].claim.right == links[end + 1].claim.left:
             end += 1
@@ -561,7 +563,7 @@ class Judge(Unlabelled):
         start = len(before) - 1
         if link.readings[0].left != before[start].claim.right:
             return None
-        while start and _goes_on(before[start - 1], before[start]):
+        while start and goes_on(before[start - 1], before[start]):
             start -= 1
         first = before[start].claim.left
         if not isinstance(first, Letter | Quantity):
@@ -649,6 +651,7 @@ class Judge(Unlabelled):
                 reading,
                 *of_natures(reading, named),
                 *of_vectors(reading, meanings, self._base),
+                *without_divisors(reading, meanings, self._base),
             )
         )
         for claim in chain(forms, self._in_all_meanings(link, line)):
@@ -693,8 +696,3 @@ class Judge(Unlabelled):
         meant = self._meanings_of(claim.left.name, event)
         same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
         return claim if own in meant or not same else replace(claim, left=same[0])
-
-
-def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:
-    """Whether a link goes on from a true one as a chain."""
-    return before.verdict == "true" and before.claim.right == link.claim.left

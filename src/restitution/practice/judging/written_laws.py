@@ -39,6 +39,17 @@ def with_written_law(uses: tuple[Use, ...], entry: Entry, world: World) -> tuple
     return uses
 
 
+def is_written_momentum(entry: Entry, world: World) -> bool:
+    """Whether all terms of an equation are momenta along a line of centres, whatever their signs.
+
+    ``8 + 5 = 2v + 5`` is of momentum, also where v comes out as another law altered would have it.
+    """
+    return _is_open(entry) and any(
+        _is_momentum(entry, world, number, spheres, Quantity("line_of_centres", (), number))
+        for number, spheres in _pairs_of(world)
+    )
+
+
 def _is_open(entry: Entry) -> bool:
     """Whether a claim is an equation with a letter in a sum."""
     sides = entry.claim.left, entry.claim.right

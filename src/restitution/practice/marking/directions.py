@@ -41,6 +41,7 @@ from restitution.problem import Aligned, Show
 from restitution.records import dataclass
 
 _SECONDS = re.compile(r"\d\s*(?:s|secs?|seconds?)\b")
+_EQUAL = re.compile(r"\b(equal|same)\b", re.IGNORECASE)
 _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
     "opposite to": re.compile(r"\b(opposite|anti-?parallel|reversed?|back)\b", re.IGNORECASE),
     "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
@@ -146,6 +147,31 @@ class Directions(LineContents):
             vector = is_quantity(point.link.left, "impulse")
             return _CONCLUSIONS["parallel to"] if unit and vector else None
         return _CONCLUSIONS.get(point.link.sign)
+
+    def words_of_equality(
+        self, point: MarkPoint, lines: Iterable[JudgedLine]
+    ) -> re.Pattern[str] | None:
+        """The words in which two quantities of one kind are concluded to be equal.
+
+        None where true ``lines`` do not give a value to each of them.
+        """
+        link = point.link
+        if link is None or not point.shown or link.sign != "=":
+            return None
+        both = link.left, link.right
+        kinds = {side.kind if isinstance(side, Quantity) else None for side in both}
+        if len(kinds) > 1 or None in kinds:
+            return None
+        true = [line for line in lines if line.verdict == "true"]
+        given = all(
+            any(
+                self._names(chain[0].left, side, self._meanings(line), line)
+                for line in true
+                for chain in chains(line)
+            )
+            for side in both
+        )
+        return _EQUAL if given else None
 
     def is_pointing(self, point: MarkPoint) -> bool:
         """Whether a point is for the vector along which something points."""

@@ -235,6 +235,25 @@ class Grounds:
         roots = [line] if line.mistake else self._roots(line)
         return own or not any(use.principle in LAWS for root in roots for use in root.uses)
 
+    def _resolved_at_wrong_angle(self, point: MarkPoint) -> JudgedLine | None:
+        """A line with components at a wall by a wrong angle, where that has a point of its own."""
+        above = [other for other in self.scheme.points if other.id in point.above]
+        if point.principle != "component" or not any(map(is_for_an_angle, above)):
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if any(
+                    use.principle in ("unchanged", "restitution")
+                    and use.event in (None, point.event)
+                    for use in line.uses
+                )
+                if any(map(self._is_of_wrong_angle, (line, *self._roots(line))))
+            ),
+            None,
+        )
+
     def _has_no_turn(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line follows from another angle in the place of the deflection."""
         wrong = (root.mistake for root in self._roots(line))
@@ -538,6 +557,11 @@ def is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
     """Whether a line with a mistake about a deflection only happens to fit an altered law."""
     named = line.mistake is not None and line.mistake.id in OF_DEFLECTION
     return named and use.altered is not None and use.principle in LAWS
+
+
+def is_for_an_angle(point: MarkPoint) -> bool:
+    """Whether a point is for the method by which an angle is found."""
+    return point.letter == "M" and point.principle in ("angle", "deflection")
 
 
 def is_inequality(point: MarkPoint) -> bool:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import permutations
 from typing import Literal
 
 import numpy as np
@@ -377,9 +378,9 @@ class LineContents(Sides):
 
     def _is_nearly(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
         """Whether a side has the size of a quantity, but for the student's rounding."""
-        places = ((side, (self._meanings(line), line.line.scope)), (quantity, ()))
+        where = self._meanings(line), line.line.scope
         try:
-            values = [self._base.value(tree, *where) for tree, where in places]
+            values = [self._base.value(tree, *where) for tree in (side, quantity)]
         except (RestitutionError, UnvaluedError, TypeError):
             return False
         if any(isinstance(value, Vector) for value in values):
@@ -388,17 +389,24 @@ class LineContents(Sides):
         return bool(np.all(true > 0) and np.all(np.abs(own - true) <= _ROUNDED * true))
 
     def lacks_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a false line has a speed as the root of its components' sum: ``√(8 + 2)``."""
-        speed = None if point.link is None else point.link.left
-        if line.mistake is None or line.mistake.id != "square-not-taken" or speed is None:
+        """Whether a false line has a speed as the sum of its components, or as the root of that.
+
+        So have ``v = √(8 + 2)`` and ``3u/4 = 3u/5 + 4eu/5``.
+        """
+        if line.mistake is None or point.link is None:
             return False
         two = Number(Fraction(2))
-        sums = (
-            node.argument
-            for link in line.line.links
-            for node in walk(link.readings[0].right)
-            if is_function(node, "sqrt")
-        )
+        claims = [link.readings[0] for link in line.line.links]
+        wanted: list[tuple[Expression, Expression]] = []
+        if line.mistake.id == "square-not-taken":
+            roots = (x for own in claims for x in walk(own.right) if is_function(x, "sqrt"))
+            wanted += [(root.argument, point.link.left) for root in roots]
+        if line.verdict == "false":
+            wanted += [
+                (one, other)
+                for claim in claims
+                for one, other in permutations((claim.left, claim.right))
+            ]
         return any(
             is_binary(tree, "+")
             and self._is_nearly(
@@ -406,7 +414,7 @@ class LineContents(Sides):
                 speed,
                 line,
             )
-            for tree in sums
+            for tree, speed in wanted
         )
 
     def is_sum_of_squares(self, point: MarkPoint, line: JudgedLine) -> bool:

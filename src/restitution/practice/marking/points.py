@@ -13,7 +13,13 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.grounds import LAWS, OF_ANGLES, has_name, is_inequality
+from restitution.practice.marking.grounds import (
+    LAWS,
+    OF_ANGLES,
+    has_name,
+    is_for_an_angle,
+    is_inequality,
+)
 from restitution.practice.marking.lines import (
     as_true,
     before_mistake,
@@ -299,6 +305,7 @@ class _Examiner(SinglePoints):
             angle.principle in ("angle", "condition")
             and (point.letter, point.principle) == ("B", "unchanged")
             and not self._is_exchanged(point, line)
+            and not self._is_unresolved(line)
         )
 
     def _is_at_old_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -431,7 +438,7 @@ class _Examiner(SinglePoints):
                 self._withdraw(own.line, own.why)
             if own.state != "earned":
                 continue
-            needed = [self.states[name] for name in point.depends]
+            needed = [self.states[name] for name in point.depends or self._methods_for(own)]
             if self._is_too_early(own, needed):
                 self.states[point.id] = self._missing(point)
                 continue
@@ -443,7 +450,11 @@ class _Examiner(SinglePoints):
                 ]
             if point.principle == "speed" and self._is_from_wrong_angle(own):
                 # A speed is put together from components in the same way at any angle.
-                needed = [mark for mark in needed if mark.point.principle not in OF_ANGLES]
+                kept = [mark for mark in needed if mark.point.principle not in OF_ANGLES]
+                # No value is right at an angle for which there is a point, and this is lost.
+                steps = [self.states[name] for mark in kept for name in mark.point.depends]
+                angles = [mark for mark in steps if is_for_an_angle(mark.point)]
+                needed = kept if point.letter == "M" else [*kept, *angles]
             missing = next((mark for mark in needed if mark.state == "lost"), None)
             if missing is not None and not point.shown and self._is_sure(own):
                 continue
@@ -462,6 +473,18 @@ class _Examiner(SinglePoints):
                 why = "a step is missing between the equations and the result"
                 self.states[point.id] = replace(own, state="lost", why=why)
 
+    def _methods_for(self, mark: PointMark) -> Sequence[str]:
+        """The one method by which a value is found that only follows, and has none of its own.
+
+        Of two speeds the first shows how both are put together.
+        """
+        line = self._line(mark.line)
+        if mark.point.letter != "A" or line is None or line.verdict != "follows":
+            return ()
+        alike = [x for x in self.scheme.points if x.principle == mark.point.principle]
+        methods = [x.id for x in alike if x.letter == "M"]
+        return methods if len(methods) == 1 else ()
+
     def _is_too_early(self, mark: PointMark, needed: Sequence[PointMark]) -> bool:
         """Whether a line that eliminates an unknown stands above what it is eliminated from."""
         if mark.point.principle != "solve" or mark.point.kind != "DM1" or mark.implied:
@@ -471,10 +494,15 @@ class _Examiner(SinglePoints):
         return stated and (mark.line or 0) < below and self._elimination(mark.point) is None
 
     def _is_from_wrong_angle(self, mark: PointMark) -> bool:
-        """Whether what earns a point follows from an angle that is wrong for no reason."""
+        """Whether what earns a point follows from an angle that is wrong for no reason.
+
+        Where the angle to a wall has its own point, that of another wall is such an angle.
+        """
         line = self._line(mark.line)
         roots = [] if line is None else self._roots(line)
-        return any(self._is_of_wrong_angle(root) and not has_name(root) for root in roots)
+        apart = any(is_for_an_angle(self.states[name].point) for name in mark.point.above)
+        wrong = filter(self._is_of_wrong_angle, roots)
+        return any(apart or not has_name(root) for root in wrong)
 
     def _withdraw(self, number: int | None, why: str) -> None:
         """Takes away what the line of a printed result, under a line that is not true, gives."""

@@ -149,6 +149,8 @@ class SinglePoints(PrincipleLines):
                 return value  # seen in a remark, or used in a line
         if lost is None and (other := self._of_other_approach(point)) is not None:
             return self._earned(point, other, "both velocities are there; the approach is wrong")
+        if lost is None and (resolved := self._resolved_at_wrong_angle(point)) is not None:
+            return self._earned(point, resolved, "resolved; the angle is another point")
         return lost or self._carried(point) or self._missing(point)
 
     def _is_asserted(self, point: MarkPoint, mark: PointMark) -> bool:
@@ -534,8 +536,9 @@ class SinglePoints(PrincipleLines):
         return mark.state == "earned" and last and between and self._is_begun(point, mark)
 
     def _in_words(self, point: MarkPoint) -> JudgedLine | None:
-        """A line below the equations that says in words what is printed of a direction."""
+        """A line below the equations that says in words what is printed, as of a direction."""
         words = self.values.words_of_direction(point)
+        words = words or self.values.words_of_equality(point, self.lines)
         last = max((self.states[x].line or 0 for x in point.above if x in self.states), default=0)
         return next(
             (

@@ -218,7 +218,7 @@ class Values(Alternatives):
         A chain that has the true value as well withdraws nothing.
         """
         link = point.link
-        if link is None or point.item is None or point.shown or link.sign != "=":
+        if link is None or point.item is None or point.shown or link.sign not in ("=", "≈"):
             return False
         value = self.value_of(link.left, line)
         sides = [

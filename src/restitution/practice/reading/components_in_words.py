@@ -45,6 +45,18 @@ KE_ALONG = re.compile(
     re.IGNORECASE,
 )
 
+# A way in which a speed is resolved behind it: ``across the line speed of A × sin 60 = ½u``.
+RESOLVED = re.compile(
+    rf"((?:^|[,;]|\b(?:and|so)\b)\s*(?:{_WAY})(?:\s+to)?"
+    r"(?:\s+(?:the\s+)?(?:line(?:\s+of\s+cent(?:re|er)s)?|LOC|wall|cushion|[A-Z]{1,2}))?)\s*,?\s+"
+    r"(?=(?:the\s+)?speed(?:\s+of\s+[A-Z])?(?:\s+(?:before|after))?\s*[×*x.]?\s*(?:sin|cos)\b)",
+    re.IGNORECASE,
+)
+
+SPEED_TIMES = re.compile(
+    r"(\bspeed(?:\s+of\s+|\s+)(?:[A-Z]|[A-Z]\s+(?:before|after)|before|after))\s+(?=(?:sin|cos)\b)"
+)
+
 
 def stays(match: re.Match[str], _: Problem) -> str:
     """The component after an impact of which a sentence says that it stays."""

@@ -18,6 +18,16 @@ LINE_OF_CENTRES = re.compile(
     re.IGNORECASE,
 )
 
+_ONE = r"\b(?:the\s+|a\s+)?unit\s+vec(?:tor)?\s*"
+_IS = r"\s*(?:is\s*|=\s*|:\s*)(?=[-−]?\s*[\d(½⅓⅔¼¾√][^=]*[ij]\b)"
+# ``unit vector along the impulse = (3i + 4j)/5``; spheres are smooth, it is that of their line.
+UNIT_ALONG_IMPULSE = re.compile(
+    rf"{_ONE}(?:along|parallel\s+to|in\s+(?:the\s+)?direction\s+of|of|∥)\s*"
+    rf"(?:the\s+)?(?:impulse|I|J)(?:\s+on\s+[A-Z])?{_IS}"
+)
+# Of which line a unit vector is, is not said: its value stands by itself.
+UNIT_ALONE = re.compile(rf"{_ONE}{_IS}", re.IGNORECASE)
+
 
 def line_of_centres(match: re.Match[str], problem: Problem) -> str:
     """The label of the only line of centres of two spheres."""
