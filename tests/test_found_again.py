@@ -16,7 +16,7 @@ wall W: along i
 sphere P: mass 2, velocity 3i - 4j
 P hits W
 """
-TOLD = "e was found in part (a) from the facts of that part alone; in part (b) it is a letter again"
+TOLD = "e was found in part (a) from what is given in that part alone; part (b) is in terms of e"
 
 
 def notes(text):
@@ -88,6 +88,8 @@ def test_it_is_told_once() -> None:
 def test_it_is_told_in_text_page_and_json() -> None:
     solution = solve(parse(HEAD + "part a\ngiven speed(P) = 4\nfind e\npart b\nfind impulse"))
     explanation = explain(solution)
-    assert TOLD in " ".join(to_text(explanation).split())
+    text = " ".join(to_text(explanation).split())
+    assert TOLD in text
+    assert text.index(f"(b) Note: {TOLD}.") < text.index("Impulse = ")
     assert TOLD in to_html(explanation)
     assert TOLD in json.loads(contract.to_json(contract.solved("-", solution)))["warnings"]

@@ -449,3 +449,44 @@ def test_a_printed_component_has_the_line_in_which_the_other_is_put_in() -> None
             "v = u(9 − k) cos α/(3(3 + k)) (as required)",
         ],
     )
+
+
+def test_a_vector_beside_fractions_has_fractions() -> None:
+    printed_with(
+        """
+        sphere A: mass 3
+        sphere B: mass 2
+        A hits B: along i, e = 1/2
+        given velocity(A) = 2i + j, velocity(B) = 3i - 4j
+        find velocity(A, 0)
+        find impulse(B)
+        """,
+        ["a = 16/5 m s⁻¹", "impulse on B = 2((3𝐢 − 4𝐣) − ((6/5)𝐢 − 4𝐣)) = (18/5)𝐢 N s"],
+    )
+
+
+def test_roots_of_long_numbers_are_figures_beside_decimal_masses() -> None:
+    text = printed_with(
+        """
+        sphere A: mass 0.4, velocity 6i
+        sphere B: mass 0.5, velocity -3i
+        A hits B: along i
+        given energy_lost = 35% of energy(0)
+        find e
+        find velocity(A)
+        """,
+        ["e ≈ 0.795, as e ≥ 0"],
+    )
+    assert "√" not in text
+
+
+def test_a_unit_vector_that_is_asked_is_said_once() -> None:
+    printed_with(
+        """
+        sphere A: mass 2, velocity 5i, radius 1
+        sphere B: mass 3, velocity -12j, radius 1
+        A hits B: offset 1, e = 1/3
+        find line_of_centres, velocity(A)
+        """,
+        ["Let 𝐧 be that unit vector along the line of centres."],
+    )

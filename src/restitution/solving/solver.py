@@ -127,11 +127,20 @@ def _met_again(part: PartSolution, relations: dict[str, Part]) -> dict[str, str]
     met = {name for item in part.items for answer in item.answers for name in answer.letters}
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return {
-        letter: f"{letter} was found in part ({relations[letter].label}) from the facts of that "
-        f"part alone; in part ({part.part.label}) it is a letter again"
+        letter: f"{letter} was found in part ({relations[letter].label}) from what is given in "
+        f"that part alone; {_in_terms_of(part.part.label)} {letter}"
         for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
         if not _facts(relations[letter]) <= given
     }
+
+
+def _in_terms_of(part: str | None) -> str:
+    return f"part ({part}) is in terms of"
+
+
+def is_in_terms(note: str, part: str) -> bool:
+    """Whether a note says that a part has a letter which an earlier part found for itself alone."""
+    return f"; {_in_terms_of(part)} " in note
 
 
 def _letters_in(item: ItemResult) -> frozenset[str]:

@@ -443,14 +443,18 @@ class BoldLetters:
         self._pending.append(say(name, **slots))
 
     def _is_a_line(self, number: int, direction: Vector) -> bool:
-        """Whether the line just above the components at an event says what a unit vector is."""
+        """Whether the line just above the components at an event says what a unit vector is.
+
+        Letters may be introduced between the two.
+        """
         axis = Quantity("line_of_centres", (), number)
         asked = {end.line for end in self.derivation.items}
         above: Line | None = None
         for line in self.derivation.lines:
             if line.move.record == "component" and line.move.event == number:
                 break
-            above = line
+            if not isinstance(line.relation, Meaning):
+                above = line
         match None if above is None else above.relation:
             case Relation(((Link(left, "=" | "parallel to" as sign), *_),)) as own if left == axis:
                 # What is asked as a direction is answered by the unit vector.

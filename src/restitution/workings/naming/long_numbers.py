@@ -13,7 +13,7 @@ from restitution.workings.naming.roots_of_roots import (
 
 
 def has_long_numbers(derivation: Derivation) -> bool:
-    """Whether a working has roots that nobody reads, where velocities are decimals.
+    """Whether a working has roots that nobody reads, where the data are decimals.
 
     Not where the question has roots itself.
     """
@@ -42,8 +42,8 @@ def keeps_short_sums(derivation: Derivation) -> bool:
 
 
 def _is_in_decimals(fact: Fact) -> bool:
-    """Whether a datum is a velocity with a number that is no whole one."""
-    return fact.id.startswith("velocity ") and any(
+    """Whether a datum has a number that is no whole one: 0.2 kg, 2.5 m s⁻¹, or e = 0.6."""
+    return fact.kind != "geometry" and any(
         isinstance(node, Number) and node.value.denominator > 1
         for tree in fact.relation.trees
         for node in walk(tree)

@@ -40,6 +40,8 @@ class PrintedDecimals:
         self._printed: set[Fraction] = set()
         # Those that rows have as fractions: 11/5.
         self._as_fractions: set[Fraction] = set()
+        # Whether one of them is a value by itself.
+        self._has_a_fraction = False
         # Vectors that stand as decimals: there a typed fraction is one as well.
         self._vectors: dict[Expression, Expression] = {}
 
@@ -67,9 +69,10 @@ class PrintedDecimals:
         return any(100 % e.denominator == 0 for e in value)
 
     def keeps_fractions(self, tree: Expression) -> bool:
-        """Whether a vector has fractions, and all of them stand above as such."""
+        """Whether a vector has fractions, and rows above have all of them, or only fractions."""
         own = set(map(abs, _fractions(tree)))
-        return bool(own) and own <= self._as_fractions
+        beside = self._has_a_fraction and not self._printed
+        return bool(own) and (beside or own <= self._as_fractions)
 
     def note(self, link: Link, tree: Expression, side: lay.Layout, sign: str) -> None:
         """Notes the components of a vector, or a number, that a row has as decimals now."""
@@ -84,7 +87,9 @@ class PrintedDecimals:
                 self._vectors[link.right] = rebuilt(link.right, as_decimal)
         elif sign == "=" and "." not in to_text(side) and not letters(link.right):
             own = unsigned(link.right)
-            self._as_fractions |= {abs(value) for value in _fractions(own) if value.denominator > 2}
+            fractions = {abs(value) for value in _fractions(own) if value.denominator > 2}
+            self._as_fractions |= fractions
+            self._has_a_fraction |= bool(fractions) and is_binary(own, "/")
 
     def in_decimals(self, tree: Expression) -> Expression:
         """A tree with decimals for its fractions, but for those that were typed."""

@@ -136,13 +136,15 @@ def _is_unwieldy(tree: Expression) -> bool:
 
 
 def _is_multiple_of_a_root(tree: Expression) -> bool:
-    """Whether a number is a multiple of one root, as it comes out: 9√30/65.
+    """Whether a number is a multiple of one root, as it comes out: 9√30/65, or 9/√65.
 
     A product of such a number is still to be worked out.
     """
     match tree:
         case Binary("/", above, Number()):
             return not is_binary(above, "/") and _is_multiple_of_a_root(above)
+        case Binary("/", Number(size), Apply("sqrt", Number())):
+            return size.denominator == 1
         case Binary("*", Number(size), Apply("sqrt") as root) if size.denominator == 1:
             return _is_multiple_of_a_root(root)
         case Apply("sqrt", Number()):

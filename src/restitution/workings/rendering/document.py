@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from restitution.explaining.lines.saying import note, say
 from restitution.render import document as blocks
+from restitution.solving.solver import is_in_terms
 from restitution.workings.rendering.steps import PartExplanation, Row, Step, Working
 
 
 def document_of(explanation: Working) -> blocks.Document:
     """The working as it is set, with the warnings that its steps do not give themselves."""
-    own = [block for part in explanation.parts for block in _part(part)]
-    own += [blocks.Paragraph(note(warning), "note") for warning in explanation.left_over]
+    warnings = explanation.left_over
+    own: list[blocks.Block] = []
+    for part in explanation.parts:
+        first = [warning for warning in warnings if part.label and is_in_terms(warning, part.label)]
+        warnings = tuple(warning for warning in warnings if warning not in first)
+        own += _part(part, first)
+    own += [_noted(warning) for warning in warnings]
     return blocks.Document(explanation.title or "", tuple(own), kind="working")
 
 
-def _part(part: PartExplanation) -> Iterator[blocks.Block]:
+def _noted(warning: str) -> blocks.Paragraph:
+    return blocks.Paragraph(note(warning), "note")
+
+
+def _part(part: PartExplanation, first: Iterable[str]) -> Iterator[blocks.Block]:
     if part.label:
         yield blocks.Heading(f"({part.label})")
+    yield from map(_noted, first)
     for step in part.steps:
         yield from step_blocks(step)
 
