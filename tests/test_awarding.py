@@ -503,6 +503,28 @@ find time(1)
 4 a | reject | 3 | time(1) = 1
 a: 4 time(1) = 1
 """,
+    # The deflection comes close to 180°, and that is seen of the angles of which it is made.
+    "close-to-straight-back": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1
+find maximum of deflection(A) over alpha
+---
+1 a | let | | v = along(velocity(A, 1), line_of_centres(1))
+2 a | let | | w = along(velocity(B, 1), line_of_centres(1))
+3 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = u sin(alpha)
+4 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, 1, 2 | m u cos(alpha) = m v + 2m w
+5 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = u cos(alpha)
+6 a | combine w | 4, 5 | v = -1/3 u cos(alpha)
+7 a | let | | beta = angle(velocity(A, 1), line_of_centres(1))
+8 a | define tan 1 A | 1, 6, 3, 7 | tan(beta) = 3tan(alpha)
+9 a | let | | delta = deflection(A, 1)
+10 a | define difference 1 A | velocity A, axis 1, 1, 6, 3, 7, 9 | delta = 180° - alpha - beta
+11 a | compare | acute: alpha, 0° <= beta <= 90°, 10 | delta < 180°
+12 a | put | 10, 8, acute: alpha | alpha != 0° or delta = 180°
+13 a | answer approached | 11, 12 | delta < 180°
+a: 13 delta < 180°
+""",
     # The line of centres is then that from one centre to the other.
     "touch-centres": """
 sphere A: mass 1, at (0, 0), velocity 5i, radius 1
@@ -969,6 +991,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("condition-as-inequality", "direction-reversed", 7, "DM1", "DM1", "DM1"),
     ("tangent-to-be-bounded", "greatest-angle", 7, "A1", "A1", "A1"),
     ("bounds", "brought-to-rest", 7, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
+    ("bound-that-is-approached", "close-to-straight-back", 11, "DM1", "DM1", "DM1"),
     ("comparison", "compared", 8, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
     ("given-fact", "energies", 3, "M1", "M1", "M1"),
     ("reason-for-a-root", "energies", 5, "B1 A1", "B1 A1", "B1 A1"),
@@ -1137,6 +1160,19 @@ show A will not hit W
 """
     derivation = awarded(plan(solve(parse(text))))
     assert written(derivation.line(derivation.items[-1].line).marks) == "B1"  # type: ignore[union-attr]
+
+
+def test_a_least_value_that_is_the_end_of_a_range_above_has_one_mark() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy_lost = 1/4 energy(0)
+find range of k
+find minimum of k over e
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    assert written(derivation.line(derivation.items[-1].line).marks) == "A1ft"  # type: ignore[union-attr]
 
 
 def test_what_is_missing_is_concluded_once() -> None:

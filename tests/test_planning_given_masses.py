@@ -63,7 +63,7 @@ A hits B: along i, e = 1/3
 given mass(B) = M, velocity(A) = i - 3j
 find M
 """,
-        ("w = 8/3 m s⁻¹", "2 × 5 = 2 + (8/3)M", "M = 3"),
+        ("w = 8/3 m s⁻¹", "2 × 5 = 2 + 8M/3", "M = 3"),
     ),
     "shown in the letter that was found": (
         WALL

@@ -69,7 +69,7 @@ find maximum of energy_lost over m, minimum of energy_lost over m, maximum of en
             "kinetic energy lost → ½Mu²(1 − e²)",
             "as m → ∞, so there is no greatest value",
             "increases with m, m > 0 and 0 ≤ e ≤ 1",
-            "kinetic energy lost → 0, as m → 0, so there is no least value",
+            "kinetic energy lost → 0, as m → 0, but m > 0, so there is no least value",
             "kinetic energy of B → ½(1 + e)²mu²",
             "as M → ∞, so there is no greatest value",
         ],
@@ -654,7 +654,7 @@ show angle(velocity(P), W) <= alpha
     "what comes to its end with an angle is said": (
         REST.format(angle="alpha", m="2m", e=", e = 1")
         + "find maximum of deflection(A) over alpha",
-        ["as α → 0° and so β → 0°, so there is no greatest value"],
+        ["as α → 0° and so β → 0°, but α > 0°, so there is no greatest value"],
     ),
     # (u/2)((1 − e) + (1 + e)f)(t₃ − t₂) = d − (1 − e)d/(1 + e).
     "the time of a meeting is collected": (

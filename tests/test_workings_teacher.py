@@ -616,7 +616,7 @@ A hits B: along i
 given velocity(A) opposite to i, speed(A) = 11/5 u
 find e
 """,
-        ["(11/5)u = −v, as A moves in the direction of −𝐢", "v = −11u/5", "e = ½"],
+        ["11u/5 = −v, as A moves in the direction of −𝐢", "v = −11u/5", "e = ½"],
     ),
     "an inequality divided by a coefficient says that it is positive": (
         REST.format(m="k m", e="") + "given along(velocity(A), i) < 0\nfind range of k",

@@ -54,8 +54,8 @@ from restitution.explaining.awarding.mark_rules import (
 )
 from restitution.explaining.awarding.work import (
     earning_under,
+    has_bound_and_place,
     is_an_equation,
-    is_where_reached,
     length,
     says_a_value_again,
     single_sides,
@@ -421,9 +421,7 @@ class _Awarding:
         """
         if line.move.record in ("greatest", "least"):
             end = self.ends.get(line.number)
-            return (
-                end is not None and not end.shown and any(map(is_where_reached, self.cited(line)))
-            )
+            return end is not None and not end.shown and has_bound_and_place(self, line)
         moves = ("roots", "rearrange")
         if line.number not in self.ends or line.move.id not in moves or is_opposite(self, line):
             return False

@@ -502,6 +502,13 @@ def _claim_without_method(work: Work, line: Line) -> bool:
     return not any(rule is not None and "M" in rule.earned(work.style) for rule in rules)
 
 
+def _approached(work: Work, line: Line) -> bool:
+    """Whether a line bounds what only comes close to that bound, and no other line does."""
+    bounded = [own for own in work.cited(line) if own.move.id in ("monotone", "complete", "sign")]
+    below = (own for own in work.derivation.lines if line.number in own.premises)
+    return not bounded and any(own.move.record == "approached" for own in below)
+
+
 def _bounds_a_quantity(fact: Fact) -> bool:
     """Whether it is given between what bounds a quantity of the motion is."""
     links = [link for option in fact.relation.options for link in option]
@@ -673,6 +680,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "distance-at-rest": between_at_rest,
     "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
+    "approached": _approached,
     "open-place": open_place,
     "between-places": between_places,
     "times-together": put_together,

@@ -225,6 +225,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("tangent-to-be-bounded", ("put",), "A", when=("of-a-sum", "on-the-way")),
     _rule("bounds", ("monotone", "complete"), "M"),
+    _rule("bound-that-is-approached", ("compare",), "M", when=("approached",)),
     _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
     _rule("given-fact", ("put", "fact", "rearrange"), "M", when=("fact-of-motion",)),
     _rule("centres-beside-a-path", ("fact",), "M A", when=("of-an-offset",)),

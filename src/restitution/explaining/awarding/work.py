@@ -96,7 +96,16 @@ def is_an_equation(line: Line) -> bool:
     return sides is not None and not isinstance(sides[0], Letter | Quantity)
 
 
-def is_where_reached(line: Line) -> bool:
+def has_bound_and_place(work: Work, line: Line) -> bool:
+    """Whether a greatest or least value is found with where it is reached.
+
+    Not where the bound is the answer of an item above: then only the place is new.
+    """
+    cited = list(work.cited(line))
+    return any(map(_is_where_reached, cited)) and not any(own.number in work.ends for own in cited)
+
+
+def _is_where_reached(line: Line) -> bool:
     """Whether a line says that a value is reached at one of a letter, without being printed."""
     return (
         line.shown == "silent"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
@@ -80,10 +81,32 @@ def extreme(
         naming.layout(link.left),
         "→",
         tuple(
-            say(name, place=_with_another(naming, place, _angle_there(derivation, behind, place)))
-            for place, behind in reached_there
+            _not_reached(naming, name, derivation, place, behind) for place, behind in reached_there
         ),
     )
+
+
+_BEYOND: Mapping[SentenceId, SentenceId] = {
+    "extremum.no-greatest": "extremum.no-greatest-there",
+    "extremum.no-least": "extremum.no-least-there",
+}
+
+_RIGHT_ANGLE = Degrees(Fraction(90))
+
+
+def _not_reached(
+    naming: Naming, name: SentenceId, derivation: Derivation, place: Link, behind: Line
+) -> Sentence:
+    """Where a value is approached, and that an acute angle or a mass does not come there."""
+    there = _with_another(naming, place, _angle_there(derivation, behind, place))
+    match place:
+        case Link(Letter(), "=", Degrees(size) | Number(size)) if name in _BEYOND and (
+            size == 0 or place.right == _RIGHT_ANGLE
+        ):
+            short = replace(place, sign=">" if size == 0 else "<")
+            bound = naming.relation(Relation(((short,),)))
+            return say(_BEYOND[name], place=there, bound=bound)
+    return say(name, place=there)
 
 
 def _where(

@@ -36,6 +36,8 @@ SENTENCES: Mapping[str, str] = {
     "extremum.approached": "as {place}: a bound that is approached and not reached",
     "extremum.no-greatest": "as {place}, so there is no greatest value",
     "extremum.no-least": "as {place}, so there is no least value",
+    "extremum.no-greatest-there": "as {place}, but {bound}, so there is no greatest value",
+    "extremum.no-least-there": "as {place}, but {bound}, so there is no least value",
     "shown.required": "as required",
     "shown.figures": "to {figures} s.f.",
     "shown.claim": "So {claim}, as required.",
