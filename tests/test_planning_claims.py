@@ -224,7 +224,7 @@ def test_a_bound_that_is_only_approached_is_no_greatest_value() -> None:
     assert last is not None
     assert last.move.record == "approached"
     assert last.relation.only[0].sign == "<"  # type: ignore[union-attr]
-    assert "→ 1 − e², as α → 90°, but α < 90°, so there is no greatest value" in _printed(text)
+    assert "→ 1 − e² as α → 90°, but α < 90°, so there is no greatest value" in _printed(text)
 
 
 def test_what_is_reached_is_not_approached_and_what_is_inside_no_end() -> None:

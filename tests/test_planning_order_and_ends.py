@@ -88,7 +88,7 @@ def test_velocities_are_parallel_by_the_ratios_of_a_given_tangent() -> None:
 
 
 def test_no_fraction_stands_over_a_number() -> None:
-    assert "(4/9)mu² cos²θ = (5/12)mu²" in text_of(BOTH_LOSSES)
+    assert "(4/9)mu² cos²θ = 5mu²/12" in text_of(BOTH_LOSSES)
 
 
 def test_a_component_is_not_called_nonzero_where_it_may_vanish() -> None:

@@ -78,7 +78,7 @@ def test_a_range_that_is_another_is_named_as_it_was_claimed() -> None:
     )
     working = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert (
-        "The range of possible values is not 0 ≤ kinetic energy lost ≤ (13/4)mu²: it is "
+        "The range of possible values is not 0 ≤ kinetic energy lost ≤ 13mu²/4: it is "
         "0 ≤ kinetic energy lost ≤ 135mu²/4."
     ) in working
 

@@ -243,3 +243,22 @@ def test_that_a_body_was_at_rest_is_said_once_of_its_speed_and_angle() -> None:
         ("B was at rest, so it moves along the line of centres: (ii)",),
     )
     assert "B moves along the line of centres" not in text
+
+
+def test_a_share_of_an_energy_is_said_again_in_a_later_part() -> None:
+    text = printed_with(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+        "given tan(alpha) = 2, energy_lost/energy(0) = 3/5\npart a\nfind e\npart b\n"
+        "find speed(P)\n",
+        ("the fraction lost is ⅗. Half the mass cancels: u² − (speed of P)² = 3u²/5",),
+    )
+    assert "Ratio of kinetic energies" not in text
+
+
+def test_an_angle_that_is_put_in_beside_a_share_does_not_hide_it() -> None:
+    text = printed_with(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\npart a\n"
+        "given alpha = 60°, energy_lost = 1/4 energy(0)\nfind e\n",
+        ("It is given that the kinetic energy lost is ¼ of the kinetic energy before the impact",),
+    )
+    assert "Ratio of kinetic energies" not in text

@@ -184,23 +184,33 @@ class Forms:
         return self._printed[tree]
 
     def with_whole_fractions(self, tree: Expression, vectors: AbstractSet[str]) -> Expression:
-        """A tree in which a part of a letter is one fraction, unless more factors follow: 3u/5.
+        """A tree in which a part of letters is one fraction, unless more factors follow: 3u²/5.
 
         Of a letter for a vector a part stands before it: ⅔**v**.
         """
         whole: dict[Expression, Expression] = {}
 
+        def is_letter(node: Expression) -> bool:
+            match node:
+                case Letter(name) | Binary("^", Letter(name), Number()):
+                    return name not in vectors
+            return False
+
         def change(node: Expression) -> Expression:
             match node:
-                case Binary(
-                    "*", Binary("/", Number(a) as above, Number(b) as below), Letter(name) as letter
-                ) if a > 1 and name not in vectors and not self._is_decimal(a, b):
-                    own = Binary("/", Binary("*", above, letter), below)
-                    whole[own] = node
-                    return own
+                case Binary("*", Binary("/", Number(a), Number(b)) as part, letter) if (
+                    a > 1 and is_letter(letter) and not self._is_decimal(a, b)
+                ):
+                    own = Binary("/", Binary("*", part.left, letter), part.right)
+                case Binary("*", left, right) if left in whole and is_letter(right):
+                    assert isinstance(left, Binary)
+                    own = Binary("/", Binary("*", left.left, right), left.right)
                 case Binary("*", left, right) if left in whole and not isinstance(right, Unit):
                     return Binary("*", whole[left], right)
-            return node
+                case _:
+                    return node
+            whole[own] = Binary("*", whole.get(node.left, node.left), node.right)
+            return own
 
         return rebuilt(tree, change)
 

@@ -156,15 +156,15 @@ class GivenLeads(Leads):
                 for own in (self._opened(fact.relation.only[0]),)
                 if tie_of(own) is not None or past_a_right_angle(own) is not None
             ]
-        if line.move.record in ("sum", "difference"):
+        if line.move.record in ("sum", "difference", "energy-ratio", "fraction-lost"):
             # An angle of the data is a value too.
             facts = [fact for fact in facts if any(map(has_quantity, trees_of(fact.relation)))]
         return facts
 
     def _is_of_a_later_part(self, line: Line, fact: Fact) -> bool:
-        """Whether a speed that is given is put in anew in a part: it is said there once more."""
+        """Whether a speed, or a share of an energy, is put in anew in a part: it is said again."""
         part = self._derivation.asked.get(line.item or "")
-        return line.move.record == "speed" and all(
+        return line.move.record in ("speed", "energy-ratio") and all(
             self._derivation.asked.get(own.item or "") != part
             for own in self._derivation.lines[: line.number - 1]
             if fact.id in own.premises
