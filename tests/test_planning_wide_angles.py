@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+import sympy as sp
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Relation
@@ -238,3 +239,34 @@ show deflection(A) > {bound}
     rows = " ".join(to_text(explain(solve(parse(text)), check=True)).split())
     assert "= (13 − 72e)/(18(1 + e))" in rows
     assert f"{line} DM1 δ > {bound} as the cotangent decreases" in rows
+
+
+TWICE_TURNED = """
+wall OA: along i
+wall OB: along 60°
+sphere P: velocity u at -120°
+P hits OA: e = 1/3
+P hits OB: e = 1/2
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "degrees"),
+    [
+        ("deflection(P, 1) + deflection(P, 2)", 270),
+        ("2 deflection(P, 2)", 360),
+        ("3 deflection(P, 1)", 270),
+        ("3/2 deflection(P, 2)", 270),
+        ("2 deflection(P, 2) - deflection(P, 1)", 270),
+    ],
+)
+def test_sums_and_multiples_of_angles_go_beyond_half_a_turn(asked: str, degrees: int) -> None:
+    solution = solve(parse(f"{TWICE_TURNED}find {asked}"))
+    (answer,) = solution.parts[None].items[0].answers
+    assert answer.value == sp.rad(degrees)
+
+
+def test_the_sum_of_two_deflections_is_followed() -> None:
+    text = f"{TWICE_TURNED}find deflection(P, 1) + deflection(P, 2)"
+    working(text)
+    assert "= 90° + 180°\n" in to_text(explain(solve(parse(text))))

@@ -306,8 +306,10 @@ class Evaluator:
         return factor * angle.measure()
 
     def _half(self, angle: Angle) -> Angle:
-        size = self.field.sqrt(angle.x**2 + angle.y**2)
-        return Angle(angle.x + size, angle.y, lambda: angle.measure() / 2)
+        x, y = angle.x + self.field.sqrt(angle.x**2 + angle.y**2), angle.y
+        if self.field.is_zero(x) and self.field.is_zero(y):
+            y = self.field.number(Fraction(1))  # half of 180°
+        return Angle(x, y, lambda: angle.measure() / 2)
 
     # -- operations ------------------------------------------------------------------------
 

@@ -199,7 +199,7 @@ def _is_fraction_of_numbers(layout: Layout) -> bool:
 def _begins_with_digit(layout: Layout) -> bool:
     while isinstance(layout, Product | Power):
         layout = layout.factors[0] if isinstance(layout, Product) else layout.base
-    return isinstance(layout, Number) or (
+    return isinstance(layout, Number | Degrees) or (
         isinstance(layout, Fraction) and _begins_with_digit(layout.above)
     )
 

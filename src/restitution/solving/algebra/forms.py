@@ -216,11 +216,11 @@ def bars_of(x: sp.Basic, oracle: Oracle) -> dict[sp.Basic, sp.Expr]:
 def angle(value: Angle, samples: Samples) -> sp.Expr:
     """An angle in radians: a sum of letters, or by an inverse function of what is simplest.
 
-    A sum of two angles may be more than half a turn.
+    A sum of two angles, or a multiple of one, may be more than half a turn.
     """
     own = _within_a_turn(value, samples)
     whole = sp.sympify(value.measure(), strict=True)
-    if not whole.is_Add:
+    if isinstance(whole, sp.atan2 | sp.Symbol):
         return own
     turns: set[int] = set()
     for values in samples:
@@ -230,7 +230,7 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
             continue
         turns.add(round(float(gap)))
     if len(turns) > 1:  # for some letters it is more, for others not: the sum tells both
-        return sp.Add(*(_term(argument, samples) for argument in whole.args))
+        return sp.Add(*(_term(argument, samples) for argument in sp.Add.make_args(whole)))
     return own if turns <= {0} else exact.tidy_angle(own + 2 * turns.pop() * sp.pi)
 
 
