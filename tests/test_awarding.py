@@ -525,6 +525,18 @@ find maximum of deflection(A) over alpha
 13 a | answer approached | 11, 12 | delta < 180°
 a: 13 delta < 180°
 """,
+    # The angle of the line of centres has a letter, as it goes into a sum of angles.
+    "sine-beside": """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1/2
+find angle(velocity(A, 0), line_of_centres)
+---
+1 a | let | | beta = angle(velocity(A, 0), line_of_centres(1))
+2 a | define scalar-angle 1 | axis 1, velocity A, 1 | sin(beta) = 1/2
+3 a | inverse | 0° <= beta <= 90°, 2 | beta = 30°
+a: 3 beta = 30°
+""",
     # The line of centres is then that from one centre to the other.
     "touch-centres": """
 sphere A: mass 1, at (0, 0), velocity 5i, radius 1
@@ -950,6 +962,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("another-speed", "speeds-of-both", 5, "A1ft", "A1ft", "A1ft"),
     ("another-energy", "speeds-of-both", 7, "A1ft", "A1ft", "A1ft"),
     ("for-an-angle", "speeds-for-an-angle", 13, "", "", ""),
+    ("sine-of-an-offset", "sine-beside", 2, "M1 A1", "M1 A1", "M1 A1"),
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),

@@ -262,3 +262,11 @@ def test_an_angle_that_is_put_in_beside_a_share_does_not_hide_it() -> None:
         ("It is given that the kinetic energy lost is ¼ of the kinetic energy before the impact",),
     )
     assert "Ratio of kinetic energies" not in text
+
+
+def test_two_multiples_of_one_root_have_one_form() -> None:
+    printed_with(
+        "sphere A: mass 3, velocity 4i\nsphere B: mass 5, at rest\nA hits B\n"
+        "given deflection(A) = 60°, speed(A) = 2, direction(A) < 0\nfind line_of_centres, e\n",
+        ("𝐯_A · 𝐧 = √3/2 − √3/2 = 0",),
+    )

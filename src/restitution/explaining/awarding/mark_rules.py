@@ -146,6 +146,7 @@ RULES: tuple[Rule, ...] = (
     _rule("velocity-in-components", ("define",), "", ("assemble", "relative-velocity")),
     _rule("velocity-by-size-and-direction", ("define",), "M", ("turned",), ("asked",)),
     # Facts closed into equations, and what is asked.
+    _rule("sine-of-an-offset", ("define",), "M A", ("scalar-angle",), ("of-an-offset", "of-facts")),
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
     _rule("distance-restated", ("define",), "", ("distance",), ("restated",)),
     _rule("distance-at-rest", ("define",), "B", ("distance",), ("distance-at-rest",)),

@@ -223,6 +223,10 @@ class Forms:
             case Binary("*", Number(value), whole) if value in self._shares:
                 above, below = map(Ratio, value.as_integer_ratio())
                 return Binary("*", Binary("/", Number(above), Number(below)), whole)
+            case Binary(
+                "+" | "-" as op, Binary("/") as left, Binary("*", Binary("/"), Apply()) as right
+            ):
+                return self._known(Binary(op, left, _under_one_line(left, right)))
             case Binary("/", Rounded(), Number()) | Binary("/", Number(), Rounded()):
                 return node  # a quotient of what is carried has other figures
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
@@ -302,6 +306,21 @@ class Forms:
             if not second
             else Binary("/", whole, reduce(lambda a, b: Binary("*", a, b), second))
         )
+
+
+def _under_one_line(one: Expression, other: Binary) -> Expression:
+    """A multiple of a root as a quotient, beside one of the same root: √3/2 − √3/2."""
+    match one, other:
+        case (
+            Binary("/", Apply("sqrt", Number(first)), Number()),
+            Binary(
+                "*",
+                Binary("/", Number(above) as factor, below),
+                Apply("sqrt", Number(second)) as root,
+            ),
+        ) if first == second:
+            return Binary("/", root if above == 1 else Binary("*", factor, root), below)
+    return other
 
 
 def _is_a_pair(node: Binary) -> bool:
