@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Relation
-from restitution.expression.tree import Letter, Number, has_root, walk
+from restitution.expression.tree import Expression, Letter, Number, has_root, is_function, walk
 from restitution.workings.naming.figures import plain_angles
 from restitution.workings.naming.roots_of_roots import (
     has_unwieldy_root,
@@ -11,20 +11,37 @@ from restitution.workings.naming.roots_of_roots import (
     is_short_sum_of_a_root,
 )
 
+_THREE_FIGURES = 100
+
 
 def has_long_numbers(derivation: Derivation) -> bool:
-    """Whether a working has roots that nobody reads, where the data are decimals.
+    """Whether a working has roots that nobody reads, where velocities are decimals.
 
-    Not where the question has roots itself.
+    Where other data are, those of numbers of three figures alone, if one is used again. Not where
+    the question has roots itself.
     """
-    if not any(map(_is_in_decimals, derivation.facts)):
+    own = [fact for fact in derivation.facts if _is_in_decimals(fact)]
+    if not own:
         return False
-    relations = (e.relation for e in derivation.lines if isinstance(e.relation, Relation))
-    if not any(has_unwieldy_root(tree) for relation in relations for tree in relation.trees):
+    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
+    if any(fact.id.startswith("velocity ") for fact in own):
+        lines, has_one = 1, has_unwieldy_root
+    else:
+        lines, has_one = 2, _has_a_root_of_three_figures
+    if sum(any(map(has_one, relation.trees)) for relation in relations) < lines:
         return False
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
     shown = [end.answer for end in derivation.items if end.shown]
     return not any(has_root(tree) for relation in (*data, *shown) for tree in relation.trees)
+
+
+def _has_a_root_of_three_figures(tree: Expression) -> bool:
+    return has_root(tree) and any(
+        is_function(node, "sqrt")
+        and isinstance(node.argument, Number)
+        and node.argument.value >= _THREE_FIGURES
+        for node in walk(tree)
+    )
 
 
 def keeps_short_sums(derivation: Derivation) -> bool:

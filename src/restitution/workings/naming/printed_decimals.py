@@ -9,7 +9,9 @@ from restitution.explaining.lines.trees import exchanged, rebuilt, trees_of
 from restitution.expression.tree import (
     Binary,
     Expression,
+    Negate,
     Number,
+    Unit,
     is_binary,
     letters,
     unsigned,
@@ -40,8 +42,8 @@ class PrintedDecimals:
         self._printed: set[Fraction] = set()
         # Those that rows have as fractions: 11/5.
         self._as_fractions: set[Fraction] = set()
-        # Whether one of them is a value by itself.
-        self._has_a_fraction = False
+        # Whether they are the components of a vector.
+        self._has_a_vector = False
         # Vectors that stand as decimals: there a typed fraction is one as well.
         self._vectors: dict[Expression, Expression] = {}
 
@@ -69,9 +71,9 @@ class PrintedDecimals:
         return any(100 % e.denominator == 0 for e in value)
 
     def keeps_fractions(self, tree: Expression) -> bool:
-        """Whether a vector has fractions, and rows above have all of them, or only fractions."""
+        """Whether a vector has fractions, and rows above have all of them, or one like it."""
         own = set(map(abs, _fractions(tree)))
-        beside = self._has_a_fraction and not self._printed
+        beside = self._has_a_vector and not self._printed
         return bool(own) and (beside or own <= self._as_fractions)
 
     def note(self, link: Link, tree: Expression, side: lay.Layout, sign: str) -> None:
@@ -89,7 +91,7 @@ class PrintedDecimals:
             own = unsigned(link.right)
             fractions = {abs(value) for value in _fractions(own) if value.denominator > 2}
             self._as_fractions |= fractions
-            self._has_a_fraction |= bool(fractions) and is_binary(own, "/")
+            self._has_a_vector |= bool(fractions) and _is_in_components(link.right)
 
     def in_decimals(self, tree: Expression) -> Expression:
         """A tree with decimals for its fractions, but for those that were typed."""
@@ -109,6 +111,18 @@ class PrintedDecimals:
             case Binary("/", Number(above), Number(below)) if above / below in self._printed:
                 return Number(above / below)
         return tree
+
+
+def _is_in_components(tree: Expression) -> bool:
+    """Whether a vector is written by its two components, or by one: (22/5)𝐢 + 5𝐣."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return _is_in_components(left) and _is_in_components(right)
+        case Negate(operand):
+            return _is_in_components(operand)
+        case Binary("*", component, Unit()):
+            return not letters(component)
+    return isinstance(tree, Unit)
 
 
 def _fractions(tree: Expression) -> list[Fraction]:
