@@ -199,3 +199,17 @@ def test_tangents_by_sines_and_cosines() -> None:
     both = u * tan(alpha) + cot(beta)
     assert in_sines(both) == u * sin(alpha) / cos(alpha) + cos(beta) / sin(beta)
     assert in_sines(both, alpha) == u * sin(alpha) / cos(alpha) + cot(beta)
+
+
+def test_no_roots_are_sought_for_the_sign_of_a_sum_with_cosines(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def refused(*_: object) -> None:
+        raise AssertionError
+
+    for name in ("polytools.real_roots", "polyroots.roots"):
+        monkeypatch.setattr(f"sympy.polys.{name}", refused)
+    x = sympy.Symbol("x_of_signs", positive=True)
+    second, first = cos(2 * sympy.pi / 9), sin(sympy.pi / 9)
+    assert (second * x**2 - 3 * first * x + 1).is_positive is None
+    assert (second * x**2 + 3 * x + 1).is_positive

@@ -7,8 +7,10 @@ teacher says.
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 from workings import planned
 
+from restitution.planning.closing.roots import in_sines, varies_with_angles
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
 
@@ -320,3 +322,18 @@ def test_one_more_step_closes_an_equation(name: str) -> None:
     text = to_text(explanation_of(derivation, problem), 120)
     for each in lines:
         assert each in text, text
+
+
+def test_a_discriminant_is_free_of_angles_by_pythagoras_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def refused(*_: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(sp, "trigsimp", refused)
+    a, b, k = sp.symbols("a b k", positive=True)
+    free = (k * sp.sin(a)) ** 2 + k**2 * sp.cos(a) ** 2 - 3 * k + sp.cos(b) ** 2 + sp.sin(b) ** 2
+    assert not varies_with_angles(free)
+    assert sp.expand(in_sines(free) or 0) == k**2 - 3 * k + 1
+    assert varies_with_angles(free + sp.cos(a) * sp.sin(b))
+    assert varies_with_angles(k * sp.sin(a) ** 2 - sp.cos(a))

@@ -559,3 +559,17 @@ def test_a_ball_that_turns_through_its_angle_to_the_wall_leaves_along_it() -> No
     said = " ".join(str(explain(solve(parse(statement)), check=True)).split())
     assert "tan 0° = 3√3 e/3 DM1 e = 0" in said
     assert "follow" not in said
+
+
+def test_the_tangent_of_a_deflection_beside_degrees_for_a_calculator() -> None:
+    text = (
+        "wall W: along {}\nsphere P: mass m, velocity 3u at {}° to W\nP hits W\n"
+        "given tan(deflection(P)) = {}\nfind velocity(P)\n"
+    )
+    for wall, degrees, tangent in (("j", 25, 1), ("i", 35, "4/3"), ("j", 40, 2)):
+        solution = solve(parse(text.format(wall, degrees, tangent)))
+        explanation = explain(solution, check=True)
+        assert explanation.followed
+        assert f"tan δ = (tan {degrees}° + tan β)/(1 − tan {degrees}° tan β)" in to_text(
+            explanation, 120
+        )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from collections.abc import Set as AbstractSet
 from dataclasses import field
 from math import prod
 from typing import Literal
@@ -232,9 +233,15 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
     roots = set(world.squares)
     # Of a sum that is a factor of one of them alone, such as 1 + k, every term leads.
     apart = set(world.keys(a)) ^ set(world.keys(b))
-    for silent in (roots, roots | apart) if apart else (roots,):
+    # The square of a sine is one of its cosine: neither of them leads alone.
+    names = world.keys_by_number()
+    angles = {names[n][1] for n in roots if names[n][0] == "sin"}
+    cosines = {n for n, (kind, *own) in names.items() if kind == "cos" and own[0] in angles}
+    choices: tuple[set[int], ...] = (set(), apart, cosines, apart | cosines)
+    for silent in dict.fromkeys(frozenset(roots | own) for own in choices):
         lead_a, lead_b = _lead(a, silent), _lead(b, silent)
-        if silent != roots and (lead_a, lead_b) == (a, b) and not _have_common(a, b):
+        whole = silent != roots and (lead_a, lead_b) == (a, b)
+        if whole and (silent - roots - apart or not _have_common(a, b)):
             continue  # any two are each other times the ratio of all their terms
         if world.reduced(Quotient(product(a, lead_b) - product(b, lead_a), a.ring.one)).vanishes:
             above, below = without_common(lead_a * expected.below, lead_b * line.below)
@@ -285,7 +292,7 @@ def _ratio_with(
     return None
 
 
-def _lead(polynomial: PolyElement, silent: set[int]) -> PolyElement:
+def _lead(polynomial: PolyElement, silent: AbstractSet[int]) -> PolyElement:
     """The terms with the leading powers of all generators but some."""
     key = max(tuple(0 if n in silent else p for n, p in enumerate(m)) for m in polynomial)
     terms = {

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import sympy as sp
+from sympy.polys.polyerrors import PolynomialError
 
 from restitution.components.models import Model
 from restitution.exact import tidy
@@ -58,6 +59,7 @@ from restitution.planning.writing.polynomials import (
 )
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+from restitution.solving.algebra.polynomials import without_cos_squared
 
 _ROOTS = Move("roots")
 
@@ -319,14 +321,39 @@ def _by_pythagoras(
     """
     if polynomial.degree() != 2:
         return None
-    inside = sp.discriminant(polynomial) / 4
-    inside = expanded(inside)
-    if not inside.has(sp.sin, sp.cos):
+    a, b, c = (polynomial.nth(n) for n in (2, 1, 0))
+    inside = b**2 / 4 - a * c
+    if not inside.has(sp.sin, sp.cos) or varies_with_angles(inside):
         return None
-    plain = sp.trigsimp(inside) if inside.free_symbols else tidy(inside)
-    if expanded(plain).has(sp.sin, sp.cos):
+    inside = expanded(inside)
+    plain = in_sines(inside) if inside.free_symbols else tidy(inside)
+    if plain is None or expanded(plain).has(sp.sin, sp.cos):
         return None
     return _in_two_lines(scene, number, polynomial, roots, known, Move("identity", "pythagoras"))
+
+
+def varies_with_angles(value: sp.Expr) -> bool:
+    """Whether two angles in the place of each one in letters give two values: a number is one."""
+    turned = {s for ratio in value.atoms(sp.sin, sp.cos) for s in ratio.args[0].free_symbols}
+    others = sorted(value.free_symbols - turned, key=str)
+    sizes = {letter: sp.Rational(n + 7, n + 5) for n, letter in enumerate(others)}
+    one, other = (
+        value.evalf(20, subs=sizes | {s: sp.Rational(n, 9) for n, s in enumerate(turned, first)})
+        for first in (2, 3)
+    )
+    return bool(abs(one - other) > abs(one) * sp.Float("1e-12"))
+
+
+def in_sines(value: sp.Expr) -> sp.Expr | None:
+    """A value with cos² = 1 − sin² of each angle; None where ratios stand in another function."""
+    sides = sp.fraction(one_fraction(value))
+    ratios = sorted(value.atoms(sp.sin, sp.cos), key=sp.default_sort_key)
+    try:
+        for angle in dict.fromkeys(ratio.args[0] for ratio in ratios):
+            sides = tuple(without_cos_squared(side, angle) for side in sides)
+    except PolynomialError:
+        return None
+    return sides[0] / sides[1]
 
 
 def _in_two_lines(
