@@ -198,3 +198,63 @@ def test_squares_of_differences_are_no_energy_of_one_sphere() -> None:
     # A goes from 4 to 7/4 along the line of centres, B from -2 to 19/4.
     line = "KE lost = ½(3)(4 - 1.75)² + ½(1)(4.75 + 2)²"
     assert names(PARTED, line) == ["energy-of-difference"]
+
+
+SHARED = """wall W: along i
+sphere P: mass m, velocity 4u i - 2u j
+P hits W: e = 1/2
+find energy_lost/energy(0)"""
+UPRIGHT = """sphere A: mass 2, velocity 4i + j
+sphere B: mass 1, velocity -2i - 3j
+A hits B: along i, e = 1/2
+find energy_lost"""
+ONWARD = """sphere A: mass 2, velocity 6i + 3j
+sphere B: mass 2, at rest
+wall W: along j
+A hits B: along i, e = 1/3
+B hits W: e = 1/2
+find total_energy_lost"""
+POLAR = """wall W: along i
+sphere P: mass 2, velocity 10 at 30° to W
+P hits W: e = 1/5
+find speed(P)"""
+
+
+def test_a_fraction_is_the_one_that_is_asked() -> None:
+    # What is lost is 3/2, of 10; along the normal 2 are there before, and 85 % are kept.
+    lost = "KE lost = ½m(4u² - u²) = 3mu²/2"
+    assert names(SHARED, lost, "fraction = (3mu²/2)/(2mu²) = 3/4")[1] == "energy-fraction-of-line"
+    for line in ("fraction kept = 17/20", "fraction of KE remaining is 17/20"):
+        assert names(SHARED, lost, line, "fraction = 3/20") == [None, None, None]
+
+
+@pytest.mark.parametrize(("early", "late"), [("before", "after"), ("at the start", "at end")])
+def test_energies_before_and_after_are_of_the_same_components(early: str, late: str) -> None:
+    # A goes from 4 to 1 along i, B from -2 to 4.
+    whole = f"{early} ½(2)(17) + ½(13) = 23.5"
+    lines = [whole, f"{late} ½(2)(1²) + ½(4²) = 9", "loss = 14.5 J"]
+    assert names(UPRIGHT, *lines) == [None, "energy-component-missing", None]
+    along = [f"{early} ½(2)(16) + ½(4) = 18", lines[1], "loss = 9 J"]
+    assert names(UPRIGHT, *along) == [None, None, None]
+
+
+def test_an_energy_after_a_wall_has_the_component_across_as_well() -> None:
+    # A comes to 2 along i, B to 4 and from the wall to -2.
+    lines = ["at start: ½(2)(45) = 45", "at end: ½(2)(2²) + ½(2)(2²) = 8", "KE lost = 37 J"]
+    assert names(ONWARD, *lines) == [None, "energy-component-missing", None]
+
+
+def test_a_speed_by_its_components_leaves_out_the_coefficient() -> None:
+    for line in ("speed = √((10cos30)² + (10sin30)²) = 10", "V = √(8.66² + 5²) = 10"):
+        assert names(POLAR, line) == ["restitution-omitted"]
+    assert names(POLAR, "speed before = √(8.66² + 5²) = 10") == [None]
+
+
+def test_a_deflection_may_be_a_letter_of_the_question() -> None:
+    marking = restitution.mark(solution_of(EQUAL), "deflection of A = α").json()
+    assert marking["lines"][0]["verdict"] == "false"
+    assert marking["lines"][0]["mistake"]["id"] is None
+
+
+def test_the_share_that_is_left_for_the_one_lost_is_no_misconception() -> None:
+    assert names(SHARED, "fraction = 17/20")[0] in (None, "arithmetic")

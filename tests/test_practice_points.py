@@ -468,3 +468,22 @@ def test_what_is_truly_zero_may_be_a_divisor() -> None:
         solution_of(statement), ["tan 30 = (√3u/2)/v", "v = 3u/2"], letters=letters
     )
     assert [line.verdict for line in marking.lines] == ["false", "follows"]
+
+
+def test_an_inequality_with_a_rebound_in_letters_shows_the_law_at_the_wall() -> None:
+    statement = "sphere A: mass m, velocity u i\nsphere B: mass 3m, at rest\nwall W: along j\n"
+    statement += "part a\nA hits B: along i, e = 2/3\nfind velocity(A), velocity(B)\n"
+    statement += "part b\nB hits W: e = f\ngiven A and B collide again\nfind range of f"
+    marking = restitution.mark(
+        solution_of(statement), ["catches A if 5fu/12 > u/4", "so f > 3/5"], part="b"
+    )
+    assert [x.state for x in marking.marks.points] == ["earned", "earned", "earned", "lost"]
+
+
+def test_noughts_at_the_end_of_three_figures_may_be_left_out() -> None:
+    statement = (
+        "sphere A: mass 1, velocity 4 at 60°\nsphere B: mass 1, at rest\nA hits B: along i\n"
+    )
+    statement += "given angle(velocity(A), i) = 81.787°\nfind e"
+    lines = ["tan81.787 = 3.464/x", "x = 0.500", "2 = x + y", "y = 1.5", "e = (1.5 - 0.5)/2 = 0.5"]
+    assert points(statement, *lines)[-1][2]

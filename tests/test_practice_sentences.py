@@ -129,8 +129,8 @@ def test_the_line_of_centres_alone_is_no_component() -> None:
     statement = """sphere A: mass 3, velocity 4i + 6j
 sphere B: mass 2, at rest
 A hits B
-given velocity(A) = 3i + 5j
-find velocity(B)"""
+given velocity(A) = i + 3j
+find e"""
     found = marked(statement, "line of centres is parallel to 3i + 3j, i.e. i + j")
     kept = [point["kind"] for point in found["marks"]["points"] if point["state"] == "earned"]
     assert kept == ["M1", "A1"]

@@ -52,6 +52,7 @@ from restitution.practice.judging.misreading import (
 from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.scaling import sizes_taken
 from restitution.practice.judging.slips import misreadings, read_as_datum
+from restitution.practice.judging.typed_energies import of_whole_energies
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
 from restitution.practice.letters.letters import meanings_of
@@ -170,6 +171,8 @@ class _Sitting(AskedLetters):
     def judgement(self, judge_: Judge, lines: tuple[JudgedLine, ...]) -> Judgement:
         """The lines with all that is looked into once they stand."""
         with suppress(ExhaustedError), effort(_EFFORT):
+            judge_, lines = self._with_whole_energies(judge_, lines)
+        with suppress(ExhaustedError), effort(_EFFORT):
             judge_, lines = self._with_own_letters(judge_, lines)
         with suppress(ExhaustedError), effort(_EFFORT):
             lines = self._with_crossed_out(lines)
@@ -183,6 +186,16 @@ class _Sitting(AskedLetters):
                 lines if sure else tuple(self.unless_in_doubt(line, lines, asks) for line in lines)
             )
         return Judgement(lines, tuple(self._shown()), tuple(sorted(asks)))
+
+    def _with_whole_energies(
+        self, judge_: Judge, lines: tuple[JudgedLine, ...]
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines with energies of one kind: of whole speeds after, where they are so before."""
+        script = of_whole_energies(lines)
+        if script is None:
+            return judge_, lines
+        self.script = script
+        return self._judged(script, self.meanings.best)
 
     def _shown(self) -> Iterator[Meaning]:
         """The meanings of letters, and of the phrases that stand in the first reading of a line."""

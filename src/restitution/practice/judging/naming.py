@@ -27,7 +27,6 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
-    has_unit_vector,
     is_function,
     letters,
     unsigned,
@@ -35,6 +34,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.angles import adds_two_angles, is_sum_of_angles
+from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
@@ -76,6 +76,7 @@ from restitution.practice.judging.plain_mistakes import (
 from restitution.practice.judging.signs import (
     OF_SIGNS,
     is_slip_of_sign,
+    is_turned_as_a_whole,
     plainer_signs,
 )
 from restitution.practice.judging.sizes import numbers_in, varying_size
@@ -88,7 +89,7 @@ from restitution.practice.judging.solved_values import (
     of_this_part,
 )
 from restitution.practice.judging.squares import is_worth
-from restitution.practice.judging.typed_energies import are_energies, is_halved
+from restitution.practice.judging.typed_energies import are_energies, is_halved, is_what_is_left
 from restitution.practice.judging.written_laws import is_written_momentum
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
@@ -174,8 +175,10 @@ class Names:
         at_wall = any(variant.event.wall for variant in variants)  # there a sign is the law
         if of_signs and of_signs <= OF_SIGNS and not (at_wall or self._is_of_impulse(entry)):
             variants = () if is_slip_of_sign(entry, mended, judge.base) else variants
-        if of_signs == {"momentum-sign"} and _is_turned_as_a_whole(entry, mended):
+        if of_signs == {"momentum-sign"} and is_turned_as_a_whole(entry, mended):
             variants = ()  # 4(v - j) = -4i + 8j: which impulse it is of, is not said
+        if is_what_is_left(entry, judge.base):
+            variants = ()
         if is_halved(entry, judge.base):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:
@@ -334,7 +337,7 @@ class Names:
         """The altered laws that explain a claim where no slip does."""
         if entry.claim.sign != "=" or entry.claim.others:
             return ()
-        by_states = list(self._without_energy(self._by_states(entry, judge), judge.base))
+        by_states = list(self._without_energy(self._by_states(entry, judge), entry, judge.base))
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
             by_states = [state for state in by_states if "impulse" in _kinds(state)]
@@ -427,11 +430,14 @@ class Names:
         figures = (x for x in mended if x.change == "figure")
         return omitted and all(self._is_familiar(x, entry, judge) for x in figures)
 
-    def _without_energy(self, states: Sequence[VariantAt], world: World) -> Iterator[VariantAt]:
-        """Altered laws, of which a speed kept where a wall is struck directly leaves e out."""
+    def _without_energy(
+        self, states: Sequence[VariantAt], entry: Entry, world: World
+    ) -> Iterator[VariantAt]:
+        """Altered laws, of which a speed kept at a wall by its components leaves e out."""
+        squares = is_root_of_a_sum(entry.claim.right)
         for state in states:
             kept = state.mistake == "energy-conserved" and state.event.wall
-            if not (kept and is_direct(state.event.number, world)):
+            if not (kept and (squares or is_direct(state.event.number, world))):
                 yield state
                 continue
             for other in self.variants:
@@ -617,16 +623,6 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
         and (law.law != "unchanged" or not bodies or set(bodies) & set(law.bodies))
         for law in variant.laws
         for principle, event, bodies in stated
-    )
-
-
-def _is_turned_as_a_whole(entry: Entry, mended: Sequence[Correction]) -> bool:
-    """Whether a vector that is one whole side of a claim has the wrong sense."""
-    sides = entry.claim.left, entry.claim.right
-    return any(map(has_unit_vector, sides)) and any(
-        correction.change == "sign"
-        and any(correction.part is side or correction.part == side for side in sides)
-        for correction in mended
     )
 
 

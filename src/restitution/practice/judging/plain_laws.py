@@ -166,8 +166,9 @@ def _are_alike(variant: VariantAt, world: World) -> bool:
 
 
 def _is_angle_alone(variant: VariantAt, entry: Entry, world: World) -> bool:
-    """Whether a deflection is given in figures that are an angle before the impact as well."""
-    if variant.mistake != "deflection-difference" or not isinstance(entry.claim.right, Degrees):
+    """Whether a deflection is given as an angle before the impact, by its letter or its figures."""
+    alone = isinstance(entry.claim.right, Degrees | Letter)
+    if variant.mistake != "deflection-difference" or not alone:
         return False
     number = variant.event.number
     angles = (
@@ -183,12 +184,18 @@ def _is_angle_alone(variant: VariantAt, entry: Entry, world: World) -> bool:
 
 
 def is_energy_of_components(entry: Entry, world: World) -> bool:
-    """Whether an energy after two spheres meet has one component of a sphere for its speed."""
+    """Whether an energy after two spheres meet has one component of a sphere for its speed.
+
+    One of them may have struck a wall since.
+    """
     meant = meant_by(entry)
     if not isinstance(meant, Quantity) or meant.kind not in ENERGIES:
         return False
     for number, pair in _pairs(world):
-        if meant.stage not in (None, number):
+        stage = number if meant.stage is None else meant.stage
+        if not isinstance(stage, int) or stage < number:
+            continue
+        if stage > number and meant.kind != "energy":
             continue
         bodies = [x.name for x in meant.arguments if isinstance(x, Name)] or list(world.start)
         if not set(bodies) <= set(pair):
@@ -202,7 +209,7 @@ def is_energy_of_components(entry: Entry, world: World) -> bool:
             after = reduce(
                 _plus,
                 (
-                    _energy_by(body, kind, number, number)
+                    _energy_by(body, kind, stage, number)
                     for body, kind in zip(bodies, kinds, strict=True)
                 ),
             )

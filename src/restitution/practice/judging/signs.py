@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    has_unit_vector,
     is_quantity,
     letters,
     walk,
@@ -81,6 +82,16 @@ def is_slip_of_sign(entry: Entry, mended: Sequence[Correction], world: World) ->
         return False
     sizes = tuple(_terms(world))
     return not any(is_worth(part, entry, world, sizes) for part in turned if part != right)
+
+
+def is_turned_as_a_whole(entry: Entry, mended: Sequence[Correction]) -> bool:
+    """Whether a vector that is one whole side of a claim has the wrong sense."""
+    sides = entry.claim.left, entry.claim.right
+    return any(map(has_unit_vector, sides)) and any(
+        correction.change == "sign"
+        and any(correction.part is side or correction.part == side for side in sides)
+        for correction in mended
+    )
 
 
 def _terms(world: World) -> Iterator[Array]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import permutations
 
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Binary,
     Expression,
+    Letter,
     Negate,
     Number,
     Quantity,
@@ -17,13 +20,17 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judging.claimed import meant_by
+from restitution.practice.judgement import JudgedLine
+from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.reading.relations import worked_out
+from restitution.practice.script import Script, ScriptLine
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given
 
 _TWO = Number(Fraction(2))
+
+_ALONG = "along line of centres"
 
 
 def is_given_energy(tree: Expression, world: World) -> bool:
@@ -111,3 +118,49 @@ def are_energies(entry: Entry) -> bool:
 def has_square(tree: Expression) -> bool:
     """Whether something is squared in a tree."""
     return any(is_binary(node, "^") and node.right == _TWO for node in walk(tree))
+
+
+def is_what_is_left(entry: Entry, world: World) -> bool:
+    """Whether a share that is lost is given the number of the share that is left."""
+    if worked_out(entry.claim.right) is None:
+        return False
+    match meant_by(entry):
+        case Binary("/", Quantity(kind) as lost, Quantity("energy") as whole) if kind in LOSSES:
+            left = Binary("/", Binary("-", whole, lost), whole)
+            return has_value(left, entry.claim.right, entry, world)
+    return False
+
+
+def of_whole_energies(lines: Sequence[JudgedLine]) -> Script | None:
+    """A script in which no energy is along a line alone, as another one is of whole speeds.
+
+    Behind ``before 25 + 13 = 38`` the energy *after* has all components as well. None where the
+    true lines do not differ so.
+    """
+    energies = [
+        (_ALONG in left.name, left.name.split()[-1], line.line.number)
+        for line in lines
+        if line.verdict == "true"
+        for link in line.line.links[:1]
+        if isinstance(left := link.readings[0].left, Letter) and left.name[:3].upper() == "KE "
+    ]
+    whole = {stage for along, stage, _ in energies if not along}
+    along = {number for along, stage, number in energies if along and stage not in whole}
+    if not whole or not along:
+        return None
+    return Script(
+        tuple(
+            _without_along(line.line) if line.line.number in along else line.line for line in lines
+        )
+    )
+
+
+def _without_along(line: ScriptLine) -> ScriptLine:
+    """A line of an energy without its readings along a line."""
+    first, *others = line.links
+    readings = tuple(
+        claim
+        for claim in first.readings
+        if not (isinstance(claim.left, Letter) and _ALONG in claim.left.name)
+    )
+    return replace(line, links=(replace(first, readings=readings or first.readings), *others))

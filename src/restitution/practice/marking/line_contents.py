@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -387,6 +388,21 @@ class LineContents(Sides):
             return False
         own, true = (np.abs(spread_of(self._base, value)) for value in values)
         return bool(np.all(true > 0) and np.all(np.abs(own - true) <= _ROUNDED * true))
+
+    def ends_in_noughts(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a decimal has three figures, of which the last are noughts: ``e = 0.5``."""
+        last = line.line.links[-1].decimals if line.line.links else ()
+        if point.link is None or not last:
+            return False
+        try:
+            true = np.abs(self._base.scalar(point.link.left)).flat[0]
+        except RestitutionError:
+            return False
+        if not true > 0:
+            return False
+        typed = abs(float(last[-1].value))
+        unit = 10.0 ** (math.floor(math.log10(true)) - 2)  # the third figure
+        return bool(abs(typed - true) <= unit / 2)
 
     def lacks_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a false line has a speed as the sum of its components, or as the root of that.

@@ -580,6 +580,7 @@ class _Examiner(SinglePoints):
                 continue
             off = self.values.is_off(point.point, line)
             fine = ends_fine(line) or self.values.is_to_a_tenth(point.point, line)
+            fine = fine or self.values.ends_in_noughts(point.point, line)
             right = line.verdict == "true" and not self._is_exact_above(point)
             if right and off:
                 point = replace(point, state="lost", why="wrong by early rounding")

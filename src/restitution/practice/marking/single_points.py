@@ -212,6 +212,7 @@ class SinglePoints(PrincipleLines):
         true = [line for line in self.lines if line.verdict == "true" and line.grounded]
         line = next((line for line in true if self.values.carries(point, line)), None)
         line = line or next((line for line in true if self._has_rebound(line)), None)
+        line = line or next((x for x in true if self.values.bounds_component(point, x)), None)
         return None if line is None else self._earned(point, line, "used here")
 
     def _has_rebound(self, line: JudgedLine) -> bool:

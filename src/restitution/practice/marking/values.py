@@ -550,6 +550,22 @@ class Values(Alternatives):
         vector = self.value_of(velocity, line, open_=own and not wrong)
         return vector is not None and self._has_part(vector, velocity, point, line)
 
+    def bounds_component(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a true inequality has the component of a point in letters: ``5fu/12 > u/4``."""
+        link = point.link
+        if link is None or line.verdict != "true" or not isinstance(link.left, Quantity):
+            return False
+        known = letters(link.right)
+        return any(
+            claim.sign in FLIPPED
+            and any(
+                letters(side) == known and self._is_worth(side, link.left, line)
+                for side in (claim.left, claim.right)
+            )
+            for chain in chains(line)
+            for claim in chain
+        )
+
     def states(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line says what a point's own relation says, whatever happens.
 

@@ -636,10 +636,12 @@ class Chains:
         return moving and not any(isinstance(node, Apply) for node in walk(tree))
 
     def _is_worth(self, phrase: str, letter: str) -> bool:
-        """Whether a phrase of a speed, an energy or an impulse has a letter of the question."""
-        heads = {HEADS.get(word) for word in phrase.split()}
+        """Whether a phrase of a speed, a deflection or the like has a letter of the question."""
+        words = phrase.split()
+        heads = {HEADS.get(word) for word in words}
         known = letter in self.usage.letters and not self.declares
-        return known and bool(heads & {"speed", "energy", "impulse"})
+        of_after = "angle" in heads and "after" in words
+        return known and (of_after or bool(heads & {"speed", "energy", "impulse", "deflection"}))
 
     def declaration(
         self,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from restitution.expression.tree import Polar
 from restitution.problem import Impact, Problem
 
 _VALUE = r"(?=[-−\d√(½⅓¼⅔¾])"
@@ -56,6 +57,20 @@ RESOLVED = re.compile(
 SPEED_TIMES = re.compile(
     r"(\bspeed(?:\s+of\s+|\s+)(?:[A-Z]|[A-Z]\s+(?:before|after)|before|after))\s+(?=(?:sin|cos)\b)"
 )
+
+# A speed by the squares of its components, with no word of when.
+BY_SQUARES = re.compile(
+    r"^(?!.*\b(?:before|after|initial|final|first|start|original|at)\b)(.*?\bspeed(?:\s+of\s+([A-Z]))?)"
+    r"(?=\s*=\s*(?:√|sqrt)\s*\()",
+    re.IGNORECASE,
+)
+
+
+def by_squares(match: re.Match[str], problem: Problem) -> str:
+    """The speed after, where that before is given: nobody works it out."""
+    spheres = [x for x in problem.spheres if match[2] in (x.name, None)]
+    given = [isinstance(sphere.velocity, Polar) for sphere in spheres]
+    return f"{match[1]} after" if given and all(given) else match[0]
 
 
 def stays(match: re.Match[str], _: Problem) -> str:

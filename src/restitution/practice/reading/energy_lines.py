@@ -10,8 +10,9 @@ from restitution.practice.reading.characters import Plain
 from restitution.problem import Find, Problem, trees_of_step
 
 _TITLE = r"(?:(?:(?:kinetic\s+)?energy|KE|loss|lost)\b[^:=]{0,30}:\s*)?"
+_ENDS = r"initial(?:ly)?|final(?:ly)?|at\s+(?:the\s+)?(?:start|first|beginning|end)"
 _STAGE = re.compile(
-    rf"\s*{_TITLE}(?:so\s+)?(?:total\s+)?(before|after)(?:wards)?\s*[:=]?\s*(?=[\d(.√])(?!.*:)",
+    rf"\s*{_TITLE}(?:so\s+)?(?:total\s+)?(before|after|{_ENDS})(?:wards)?\s*[:=]?\s*(?=[\d(.√])(?!.*:)",
     re.IGNORECASE,
 )
 _JOULES = re.compile(r"\d\s*(?:J|joules?)\b")
@@ -36,7 +37,7 @@ def with_energy_labels(
         for place, line in enumerate(lines)
         if (match := _STAGE.match(line.text)) and _AMOUNT.fullmatch(line.text[match.end() :])
     }
-    if not asked or len({match[1].lower() for match in staged.values()}) < 2:
+    if not asked or len({_stage(match) for match in staged.values()}) < 2:
         return lines, frozenset()
     texts = [lines[place].text[match.end() :] for place, match in staged.items()]
     halved = all(_HALF.search(text) for text in texts)
@@ -46,15 +47,23 @@ def with_energy_labels(
     if not (halved or joules or lost):
         return lines, frozenset()
     labelled = [
-        _labelled(line, staged[place]) if place in staged else line
+        _labelled(line, staged[place], problem) if place in staged else line
         for place, line in enumerate(lines)
     ]
     return labelled, frozenset(staged) if joules or lost else frozenset()
 
 
-def _labelled(line: Plain, match: re.Match[str]) -> Plain:
-    """A line with its stage as a label."""
-    label = f"{match[1].lower()}: "
+def _stage(match: re.Match[str]) -> str:
+    """The stage of a line, by whatever word."""
+    word = match[1].lower()
+    return "after" if word in ("after", "final", "finally") or word.endswith("end") else "before"
+
+
+def _labelled(line: Plain, match: re.Match[str], problem: Problem) -> Plain:
+    """A line with its stage as a label; of several impacts the start is before all of them."""
+    stage = _stage(match)
+    first = stage == "before" != match[1].lower() and len(problem.events) > 1
+    label = "KE at the start = " if first else f"{stage}: "
     columns = (line.columns[match.start(1)],) * len(label) + line.columns[match.end() :]
     return Plain(label + line.text[match.end() :], columns)
 

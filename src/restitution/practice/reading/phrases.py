@@ -657,12 +657,12 @@ class _Reader(RightAngles):
 
     def ratio(self, event: int) -> Iterator[Expression]:
         """Ratios: of energy lost to that before, of energies, of speeds, of masses."""
-        if self.features.heads == {"ratio"}:
-            yield from self.ratios_asked()
+        if self.features.heads == {"ratio"} and (asked := tuple(self.ratios_asked())):
+            yield from asked
+            return  # a fraction of which no more is said is the one that is asked
         after, before = self.after(event), event - 1
         energy = Quantity("energy", (), before)
-        heads = self.features.heads
-        if heads & {"gain", "loss"}:
+        if (heads := self.features.heads) & {"gain", "loss"}:
             yield from self.shares_of_bodies(after, before)
         if heads & {"energy", "loss"} or heads == {"ratio"}:
             yield Binary("/", Quantity("energy_lost", (), after), energy)

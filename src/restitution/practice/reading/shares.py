@@ -39,6 +39,15 @@ FRACTION_OF = re.compile(
     r"\b(fraction|proportion|percentage)\s+of\s+[^:=<>,;]*\d[^:=<>,;]*[:=]\s*(?=[\d(.√]|1/)",
     re.IGNORECASE,
 )
+# What is not lost, beside a share that is asked: ``fraction of KE remaining = 2/3``.
+SHARE_KEPT = re.compile(
+    r"\b(?:the\s+)?(?:fraction|proportion|percentage|ratio)\s+"
+    r"(?:of\s+(?:the\s+)?(?:total\s+)?(?:KE|kinetic\s+energy|energy)\s+)?"
+    r"(?:(?:that|which)\s+(?:is\s+)?)?"
+    r"(?:kept|left(?:\s+over)?|remains?|remaining|retained|still\s+there)\b\s*"
+    r"(?:(?:=|:|is\b)\s*|(?=[\d(⅓⅔½¼¾]))",
+    re.IGNORECASE,
+)
 NET = re.compile(r"\bnet\s+(?=(?:los[st]|loss|gain|change|KE|energy|impulse)\b)", re.IGNORECASE)
 # A way of so many metres, and no component of a velocity: horizontal: 2 m/s × 2.5 s = 5 m.
 DISTANCE = re.compile(
