@@ -510,15 +510,15 @@ sphere B: mass 2m, at rest
 A hits B: along i, e = 1
 find maximum of deflection(A) over alpha
 ---
-1 a | let | | v = along(velocity(A, 1), line_of_centres(1))
-2 a | let | | w = along(velocity(B, 1), line_of_centres(1))
+1 a | let | | let v = along(velocity(A, 1), line_of_centres(1))
+2 a | let | | let w = along(velocity(B, 1), line_of_centres(1))
 3 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = u sin(alpha)
 4 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, 1, 2 | m u cos(alpha) = m v + 2m w
 5 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = u cos(alpha)
 6 a | combine w | 4, 5 | v = -1/3 u cos(alpha)
-7 a | let | | beta = angle(velocity(A, 1), line_of_centres(1))
+7 a | let | | let beta = angle(velocity(A, 1), line_of_centres(1))
 8 a | define tan 1 A | 1, 6, 3, 7 | tan(beta) = 3tan(alpha)
-9 a | let | | delta = deflection(A, 1)
+9 a | let | | let delta = deflection(A, 1)
 10 a | define difference 1 A | velocity A, axis 1, 1, 6, 3, 7, 9 | delta = 180° - alpha - beta
 11 a | compare | acute: alpha, 0° <= beta <= 90°, 10 | delta < 180°
 12 a | put | 10, 8, acute: alpha | alpha != 0° or delta = 180°
@@ -532,7 +532,7 @@ sphere B: mass m, at rest, radius r
 A hits B: offset r, e = 1/2
 find angle(velocity(A, 0), line_of_centres)
 ---
-1 a | let | | beta = angle(velocity(A, 0), line_of_centres(1))
+1 a | let | | let beta = angle(velocity(A, 0), line_of_centres(1))
 2 a | define scalar-angle 1 | axis 1, velocity A, 1 | sin(beta) = 1/2
 3 a | inverse | 0° <= beta <= 90°, 2 | beta = 30°
 a: 3 beta = 30°

@@ -125,8 +125,8 @@ find speed(P)
 def test_a_given_angle_to_a_wall_is_one_with_the_next_wall() -> None:
     said = " ".join(str(explain(solve(parse(GIVEN)), check=True)).split())
     assert (
-        "AB and BC meet at 120°. Third angle of the triangle that they make with the path: "
-        "angle between 𝐯₁ and BC = 180° − 120° − 30° = 30°"
+        "AB and BC meet at 180° − 60° = 120°. Third angle of the triangle that they make with "
+        "the path: angle between 𝐯₁ and BC = 180° − 120° − 30° = 30°"
     ) in said
     assert "P moves at 30° to BC." in said
     assert "𝐧" not in said
@@ -333,7 +333,7 @@ find speed(P)
             )
         ).split()
     )
-    assert "AB and BC meet at 68°." in said
+    assert "AB and BC meet at 180° − 112° = 68°." in said
     assert "angle between 𝐯₁ and BC ≈ 180° − 68° − 30.43° ≈ 81.57°" in said
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from restitution.explaining.data.paths_and_lines import turn_of_line
+from restitution.explaining.data.paths_and_lines import degrees_of, turn_of_line
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Event,
@@ -414,7 +414,7 @@ class TurnLeads(LinesAround):
         between = self._between_walls(line, own, wall)
         if between is None:
             return say("next-wall.angle", next=wall, wall=own)
-        names = {"next": wall, "wall": own, "angle": self._naming.layout(between)}
+        names = {"next": wall, "wall": own, "angle": self._corner(own, wall, between)}
         if any(STRAIGHT_ANGLE in walk(tree) for tree in trees_of(line.relation)):
             return say("next-wall.corner", **names)
         assert isinstance(line.relation, Relation)
@@ -425,6 +425,20 @@ class TurnLeads(LinesAround):
             case Binary("-", _, Degrees()):
                 return say("next-wall.exterior-before", **names)
         return say("next-wall.between", **names)
+
+    def _corner(self, one: str, other: str, between: Expression) -> lay.Layout:
+        """The angle at which two walls meet, as it comes of those that are told from **i**."""
+        layout = self._naming.layout(between)
+        turns = (self._turn_of_wall(one), self._turn_of_wall(other))
+        match sorted(e.value for e in turns if isinstance(e, Degrees)), between:
+            case [less, more], Degrees(angle) if angle != RIGHT_ANGLE.value:
+                gap: Expression = Degrees(more)
+                if less:
+                    gap = Binary("-", gap, Degrees(less))
+                tree = gap if angle == more - less else Binary("-", STRAIGHT_ANGLE, gap)
+                if tree != between and degrees_of(tree) == angle:
+                    return lay.Relation((self._naming.layout(tree), layout), ("=",))
+        return layout
 
     def _from_a_wall(self, line: Line, body: str, wall: str) -> Sentence | None:
         """At which angle the wall is from which a direction is worked out; None without one."""
