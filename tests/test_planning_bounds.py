@@ -159,6 +159,26 @@ SAYS = {
         REST.format(k="k ", e="") + "show energy_lost < energy(0)",
         ["as k/(1 + k) < 1, 1 − e² ≤ 1 and cos²α < 1"],
     ),
+    "a sine by the tangent of its angle": (
+        REST.format(k="2", e=", e = 1/4")
+        + "show cos(angle(velocity(A), line_of_centres)) < cos(alpha)",
+        ["tan β > tan α", "β > α", "cos β < cos α"],
+    ),
+    "a sine at most the one of an angle": (
+        REST.format(k="1", e=", e = 2/3") + "show sin(deflection(A)) <= 5/7",
+        ["tan δ ≤ 5√6/12", "so δ is acute", "sin δ ≤ 5/7"],
+    ),
+    "a sine at most a value in letters": (
+        REST.format(k="1", e="") + "given e < 1\nshow sin(deflection(A)) <= (1 + e)/(3 - e)",
+        ["so δ is acute", "sin δ ≤ (1 + e)/(3 − e)"],
+    ),
+    "the cosine of a sum of angles": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at 30° to W\nP hits W\n"
+            "show cos(deflection(P)) <= sqrt(3)/2"
+        ),
+        ["δ = 30° + β", "cos δ ≤ √3/2"],
+    ),
     "a quotient": (
         REST.format(k="2", e="")
         + "given e < 1/2\nshow tan(deflection(A)) <= (1 + e)/sqrt(3(1 - 2e))",

@@ -270,3 +270,8 @@ def test_the_sum_of_two_deflections_is_followed() -> None:
     text = f"{TWICE_TURNED}find deflection(P, 1) + deflection(P, 2)"
     working(text)
     assert "= 90° + 180°\n" in to_text(explain(solve(parse(text))))
+
+
+def test_what_degrees_come_to_is_exact() -> None:
+    text = "wall W: along i\nsphere P: velocity -u j\nP hits W: e = 1/2\nfind 200° - deflection(P)"
+    assert "= 20°" in to_text(explain(solve(parse(text))))

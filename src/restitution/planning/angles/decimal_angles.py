@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Expression,
     Negate,
 )
+from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import Scene
 
 _FIGURES = 3
@@ -27,6 +28,10 @@ def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
     value = scene.scalar(own.right)
     if symbols_in(value) or _in_degrees(own.right):
         return line, answer
+    whole = tree_of(exact.tidy(value), angle=True)
+    if _in_degrees(whole):
+        answer = equality(own.left, whole)
+        return scene.desk.write(Move("rearrange"), (line,), answer), answer
     rounded = _rounded(value * 180 / sp.pi)
     answer = Relation(((Link(own.left, "≈", rounded),),))
     return scene.desk.write(Move("value"), (line,), answer), answer

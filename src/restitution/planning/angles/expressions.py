@@ -28,7 +28,6 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
-    Number,
     Quantity,
     children,
     has_quantity,
@@ -69,8 +68,10 @@ def _has_degrees(tree: Expression) -> bool:
     match tree:
         case Quantity(kind):
             return kind in ANGLES
-        case Negate(operand) | Binary("*", Number(), operand) | Binary("/", operand, Number()):
+        case Negate(operand):
             return _has_degrees(operand)
+        case Binary("*", factor, operand) | Binary("/", operand, factor):
+            return not (has_quantity(factor) or letters(factor)) and _has_degrees(operand)
         case Binary("+" | "-", left, right):
             return _has_degrees(left) or _has_degrees(right)
     return False

@@ -41,6 +41,7 @@ from restitution.planning.inequalities.gaps import (
     write_difference,
     write_given_gap,
 )
+from restitution.planning.inequalities.ratios_by_angles import write_by_its_angle
 from restitution.planning.inequalities.signs_of_components import write_by_components
 from restitution.planning.inequalities.standing_bounds import write_by_a_standing_bound
 from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_a_sum
@@ -73,6 +74,7 @@ class Claims(Eliminated):
         standing = standing or write_by_a_standing_bound(self, relation)
         standing = standing or write_by_its_square(self, relation)
         standing = standing or write_by_a_right_angle(self, relation)
+        standing = standing or write_by_its_angle(self, relation)
         if standing is not None:
             return standing
         trees = [side for link in relation.only for side in (link.left, link.right)]
