@@ -270,3 +270,13 @@ def test_two_multiples_of_one_root_have_one_form() -> None:
         "given deflection(A) = 60°, speed(A) = 2, direction(A) < 0\nfind line_of_centres, e\n",
         ("𝐯_A · 𝐧 = √3/2 − √3/2 = 0",),
     )
+
+
+def test_a_component_along_a_line_of_centres_is_not_named_again() -> None:
+    """What v stands for is said where it is introduced, also where it is what was asked."""
+    text = printed_with(
+        "sphere A: mass m, velocity 3u i\nsphere B: mass k m, velocity -u i\n"
+        "A hits B: along i, e = 1/2\nfind along(velocity(A), i), along(velocity(B), i)\n",
+        ("v = 3(1 − k)u/(1 + k)", "w = 3(1 − k)u/(1 + k) + 2u = (5 − k)u/(1 + k)"),
+    )
+    assert "the component of" not in text and "𝐯_A" not in text

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_component,
     letters,
     unsigned,
     walk,
@@ -231,7 +232,10 @@ class Rows(Chains):
         return tuple(whole)
 
     def _called(self, line: Line) -> Sentence | None:
-        """What a letter stands for that was introduced a while ago, where it is what was asked."""
+        """What a letter stands for that was introduced a while ago, where it is what was asked.
+
+        Not a component along a line of centres: that is what its letter is known for.
+        """
         asked = self._ends.asked(line)
         if not isinstance(asked, Value) or not isinstance(asked.expression, Quantity):
             return None
@@ -240,6 +244,8 @@ class Rows(Chains):
         if not isinstance(left, Letter) or left.name not in self._naming.meanings:
             return None
         meaning = self._naming.meanings[left.name]
+        if is_component(meaning.quantity):
+            return None
         numbers = [line.number for line in self._derivation.lines]
         since = next(e.number for e in self._derivation.lines if e.relation == meaning)
         if numbers.index(line.number) - numbers.index(since) <= _REMEMBERED:
