@@ -25,9 +25,14 @@ STEPS = 1_200_000
 """The work of one attempt at a question, as Z3 counts it: about half a second where numbers are
 small. Four fifths of it are the most that an answer takes in the tests."""
 
-SECONDS = 2.0
+SECONDS = 1.0
 """The outer guard of an attempt, as its numbers may grow beyond all bounds: time of the processor,
-which is no more on a busy machine. What is too large is not asked at all."""
+which is no more on a busy machine. What is too large is not asked at all, and an answer comes in a
+quarter of that."""
+
+# An attempt that had so much of its time is not made again, and the next one is so much longer.
+_NEARLY = 0.8
+_LEAST_TIMES_LONGER, _MOST_TIMES_LONGER = 1.5, 8.0
 
 MOST_GENERATORS = 14
 MOST_DEGREE = 40
@@ -355,9 +360,11 @@ def _answer(tactic: Any, formulas: Sequence[Any]) -> tuple[str, str, Any]:
         ended = answer == "unknown" and time.monotonic() - start >= wall
         if not ended:
             return answer, reason, solver
-        if time.thread_time() - began >= SECONDS:
+        own = time.thread_time() - began
+        if own >= _NEARLY * SECONDS:
             return answer, LATE, solver
-        seconds *= 2
+        # As long as it takes by the share of the processor that there was.
+        seconds *= min(_MOST_TIMES_LONGER, max(_LEAST_TIMES_LONGER, SECONDS / max(own, 0.001)))
 
 
 def checked(solver: Any) -> tuple[str, str]:
