@@ -88,7 +88,10 @@ def test_a_component_with_a_minus_sign_has_its_sense() -> None:
         P hits Q: along theta, e = 1/2
         find speed(P), speed(Q)
         """,
-        ["the components to the left, looking from P to Q, stay −u sin θ for P and 0 for Q."],
+        [
+            "the component of P to the left, looking from P to Q, stays −u sin θ.",
+            "Q was at rest, so it moves along the line of centres",
+        ],
     )
 
 

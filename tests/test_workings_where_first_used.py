@@ -280,3 +280,23 @@ def test_a_component_along_a_line_of_centres_is_not_named_again() -> None:
         ("v = 3(1 − k)u/(1 + k)", "w = 3(1 − k)u/(1 + k) + 2u = (5 − k)u/(1 + k)"),
     )
     assert "the component of" not in text and "𝐯_A" not in text
+
+
+def test_a_speed_of_zero_has_no_components() -> None:
+    text = printed_with(
+        "sphere A: mass m, velocity 3u i\nsphere B: mass 2m, at rest\n"
+        "A hits B: along i, e = 1/2\nfind speed(A), speed(B)\n",
+        ("v = 0 speed of A = 0 Substituting",),
+    )
+    assert "from its components" not in text
+
+
+def test_who_moves_off_from_rest_has_no_component_that_stays() -> None:
+    rested = "sphere A: mass 3m, velocity u at 45°\nsphere B: mass m, at rest\n"
+    text = printed_with(
+        rested + "A hits B: along i, e = 1/3\nfind speed(A), speed(B)\n",
+        ("the component of A in the direction of 𝐣 stays", "B was at rest, so it moves along"),
+    )
+    assert "0 for B" not in text
+    given = "A hits B: along i\ngiven energy(B) = 1/4 energy(A)\nfind e\n"
+    printed_with(rested + given, ("for A and 0 for B.",))

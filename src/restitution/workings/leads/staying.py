@@ -144,7 +144,7 @@ class Staying:
         """The components that stay as a title and a sentence."""
         event = self._naming.events[lines[0].move.event or 1]
         values: list[tuple[str, lay.Layout]] = []
-        for line in lines:
+        for line in [own for own in lines if not self._moves_off(own)] or lines:
             assert isinstance(line.relation, Relation)
             links = line.relation.only
             trees = [self._figures(link.right) for link in links]
@@ -161,6 +161,19 @@ class Staying:
             values.append((body, whole if len(sides) > 1 else sides[0]))
         axis = self._sense(lines[0], event)
         return self._title(event), self._sentence(event, values, axis)
+
+    def _moves_off(self, line: Line) -> bool:
+        """Whether it is said below that a body at rest moves off along the line of centres."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[-1]
+        if not (is_zero(link.right) and is_quantity(link.left, "across") and self._rests(line)):
+            return False
+        return any(
+            own.move.record in ("speed", "assemble")
+            and (own.move.event, own.move.bodies) == (line.move.event, line.move.bodies)
+            and own.shown == "line"
+            for own in self._lines.values()
+        )
 
     def _title(self, event: Event) -> Sentence:
         if not event.wall:

@@ -248,6 +248,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 Binary("-", Quantity("energy", _, int(early)), Quantity("energy", _, int(late))),
             ) if early < late:
                 return "loss-wall.title"
+            case "speed", _ if is_zero(last.right):
+                return None  # the component just above it is zero
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
             case "speed", _ if self._by_a_multiple(line):
