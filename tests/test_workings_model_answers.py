@@ -493,3 +493,55 @@ def test_a_unit_vector_that_is_asked_is_said_once() -> None:
         """,
         ["Let 𝐧 be that unit vector along the line of centres."],
     )
+
+
+def test_what_comes_from_an_earlier_part_stands_at_the_line_that_takes_it() -> None:
+    printed_with(
+        """
+        sphere P: mass 2, velocity 5i
+        wall W
+        P hits W
+        given impulse(P) = -6i + 8j
+        part a
+        find velocity(P)
+        part b
+        find direction(W), e
+        """,
+        [
+            "Component before the impact: 𝐮_P · 𝐧 = (3 × 5)/5 = 3 m s⁻¹",
+            "Component after the impact, with 𝐯_P from part (a): 𝐯_P · 𝐧",
+        ],
+    )
+
+
+def test_a_sum_of_values_of_an_earlier_part_has_one_sentence() -> None:
+    text = printed_with(
+        """
+        wall X: along i
+        wall Y: along j
+        sphere P: mass 0.5, velocity 6i - 2j
+        P hits X: e = 1/2
+        P hits Y: e = 1/3
+        part a
+        find impulse(P, 1), impulse(P, 2)
+        part b
+        find abs(impulse(P, 1) + impulse(P, 2))
+        """,
+        ["(b) With the impulse on P at the first impact"],
+    )
+    assert "With these values" not in text
+
+
+def test_an_angle_in_whole_degrees_has_no_figures_behind_it() -> None:
+    text = printed_with(
+        """
+        wall X: along i
+        wall Y: along j
+        sphere P: velocity u at 30° to X
+        P hits X: e = 1/3
+        P hits Y: e = 1/3
+        find deflection(P, 1), deflection(P, 2)
+        """,
+        ["θ = 60°"],
+    )
+    assert "60.00°" not in text

@@ -70,7 +70,17 @@ def resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
         for line in rest:
             if line.move.record != "component" or line.move.event != first.move.event:
                 return
+            if _is_afterwards(line) != _is_afterwards(first):
+                return
             yield line
+
+
+def _is_afterwards(line: Line) -> bool:
+    """Whether a component is that of a velocity after the event of its line."""
+    return isinstance(line.relation, Relation) and any(
+        is_quantity(node, "velocity") and node.stage == line.move.event
+        for node in walk(line.relation.options[0][0].left)
+    )
 
 
 def is_worked_out_below(lines: Sequence[Line], index: int) -> bool:

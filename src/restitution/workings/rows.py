@@ -14,6 +14,7 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Apply,
+    Degrees,
     Expression,
     Letter,
     Negate,
@@ -117,7 +118,7 @@ class Rows(Chains):
             return None
         match line.move.id, line.relation:
             case "inverse", Relation(((Link(Letter(), "=", value),),)) if self._is_summed(value):
-                degrees = degrees_of(value)
+                degrees = None if isinstance(value, Degrees) else degrees_of(value)
                 return Row((None, self._naming.layout(degrees)), ("≈",)) if degrees else None
         for own in self._derivation.lines:
             match own.relation:

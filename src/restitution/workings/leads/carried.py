@@ -183,7 +183,7 @@ class Carried:
             label = self._ends.part(lines[0])
             return spoken, say("carried.in", label=label) if label else say("carried.in-above")
         sources = tuple(self._sources_of(lines))
-        if last is not None and last.id == "so":
+        if last is not None and last.id in ("so", "made.by-these"):
             spoken = spoken[:-1]  # it follows from what is named
         if not spoken:
             return spoken, say("carried.with" if title else "carried.with-alone", sources=sources)
