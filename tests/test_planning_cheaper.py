@@ -540,3 +540,23 @@ def test_who_moves_at_right_angles_to_a_line_of_centres_tells_its_angle() -> Non
     _, derivation = planned(text)
     assert "phi - 90° = -60°" in said(derivation)
     assert not any("tan" in each for each in said(derivation))
+
+
+@pytest.mark.parametrize(
+    ("given", "item", "line"),
+    [
+        ("speed(P) = 4.5", "speed(P)", "speed of P = 4.5 m s⁻¹"),
+        ("deflection(P) = 60°", "deflection(P)", "angle of deflection of P = 60°"),
+        ("energy_lost = 2", "energy_lost", "kinetic energy lost = 2 J"),
+        ("deflection(P) = 10°", "deflection(P)", "angle of deflection of P = 10°"),
+    ],
+)
+def test_a_number_that_is_given_is_read_off(given: str, item: str, line: str) -> None:
+    text = (
+        f"wall W: along i\nsphere P: mass 2, velocity 4i - 3j\nP hits W\ngiven {given}\nfind {item}"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation, 200).split())
+    assert explanation.followed
+    assert f"{line} B1" in shown
+    assert "Newton" not in shown

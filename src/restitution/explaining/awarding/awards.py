@@ -208,8 +208,8 @@ class _Awarding:
                 if self._answers_twice(line):
                     own = [e for e in points[line.number] if e == "M"]
                     points[line.number] = [*own, "A", "A"]
-                elif earned and is_given(self, line):
-                    points[line.number] = []
+                elif is_given(self, line) and (earned or own == ["B"]):
+                    points[line.number] = [] if earned else ["B"]
                 if says_again(self, line):
                     for solution in self._solutions(line):
                         # The value is asked: it stands there already, under another name.

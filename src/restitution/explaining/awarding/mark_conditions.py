@@ -617,6 +617,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "repeated": _repeated,
     "sought": _sought,
     "zero": _zero,
+    "given-as-asked": lambda work, line: is_given(work, line) and line.number in work.ends,
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
     "first-at-event": _first_at_event,
     "read-off": _read_off,

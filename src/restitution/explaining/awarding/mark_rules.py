@@ -228,6 +228,7 @@ RULES: tuple[Rule, ...] = (
     _rule("bounds", ("monotone", "complete"), "M"),
     _rule("bound-that-is-approached", ("compare",), "M", when=("approached",)),
     _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
+    _rule("value-that-is-given", ("fact",), "B", when=("given-as-asked", "fact-of-motion")),
     _rule("given-fact", ("put", "fact", "rearrange"), "M", when=("fact-of-motion",)),
     _rule("centres-beside-a-path", ("fact",), "M A", when=("of-an-offset",)),
     _rule("centres-between-places", ("put",), "M V", when=("between-places",)),

@@ -5,15 +5,23 @@ from __future__ import annotations
 from typing import Any
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.quantities import ENERGIES
-from restitution.expression.tree import Binary, Expression, Quantity, quantities_in
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Quantity,
+    has_quantity,
+    letters,
+    quantities_in,
+)
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import product, tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.vector import Vector
 
 _KINDS = ENERGIES | {"speed", "time"}
 
@@ -37,6 +45,18 @@ def write_given_share(scene: Scene, asked: Quantity, *, early: bool = False) -> 
         if line is not None:
             return line
         scene.desk.back(mark)
+    return None
+
+
+def write_given_value(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a number that is asked and is given as such: the fact; None of all else."""
+    for equation in scene.given:
+        own = equation.link
+        if own.left != asked or own.sign != "=" or has_quantity(own.right) or letters(own.right):
+            continue
+        if isinstance(scene.value(own.right), Vector):
+            continue
+        return scene.judge.write((Move("fact"),), equation.refs, Relation(((own,),)))
     return None
 
 
@@ -86,4 +106,4 @@ def _write(scene: Scene, given: GivenEquation, asked: Quantity, other: Expressio
     return line
 
 
-__all__ = ["write_given_share"]
+__all__ = ["write_given_share", "write_given_value"]

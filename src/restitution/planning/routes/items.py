@@ -70,7 +70,7 @@ from restitution.planning.routes.determining import (
     determine_velocities,
     write_determined,
 )
-from restitution.planning.routes.given_shares import write_given_share
+from restitution.planning.routes.given_shares import write_given_share, write_given_value
 from restitution.planning.routes.named_expressions import end_named_expression
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
@@ -139,7 +139,7 @@ def _at_once(scene: Scene, asked: Expression) -> int | None:
     """The line of what given speeds, energies and shares tell, before anything is determined."""
     if not isinstance(asked, Quantity):
         return share_by_given_speed(scene, asked)
-    loss = loss_by_given_speeds(scene, asked)
+    loss = write_given_value(scene, asked) or loss_by_given_speeds(scene, asked)
     speed = speed_by_a_fact(scene, asked) or speed_kept(scene, asked)
     return loss or speed or write_given_share(scene, asked)
 
