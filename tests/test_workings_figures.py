@@ -247,7 +247,7 @@ def test_multiples_of_letters_at_15_degrees_have_its_ratios() -> None:
         "find velocity(A) in terms of e, u\ngiven e = 1/3\nfind angle(velocity(A), i), speed(B)"
     )
     for said in (
-        "stay u sin 15° for A",
+        "the component of A in the direction of 𝐣 stays u sin 15°.",
         "𝐯_A = ⅓(1 − 2e)u cos 15° 𝐢 + u sin 15° 𝐣",
         "tan β = (u sin 15°)/((1/9)u cos 15°) = 9 tan 15°",
         "w = (4/9)u cos 15°",

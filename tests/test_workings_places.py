@@ -142,3 +142,14 @@ find position(P, 2), distance(position(P, 2), (5d, 0))
     assert "P is at rest, so it stays where it is: position of P at the second impact" in text
     assert "distance between P and (5d, 0) at the second impact = 5d − 2d = 3d" in text
     assert "speed × time" not in text
+
+
+def test_a_place_is_the_velocity_times_a_time_in_letters() -> None:
+    statement = """
+wall W: along j, through (d, 0)
+sphere A: mass m, at (0, 0), velocity u i
+A hits W: e = e
+find time(1), position(A, at T)
+"""
+    text = " ".join(to_text(explain(solve(parse(statement)))).split())
+    assert "d𝐢 − eu(T − d/u)𝐢" in text

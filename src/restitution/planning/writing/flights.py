@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Ref, Relation
-from restitution.expression.tree import Binary, Expression, Negate, Unit, has_quantity
+from restitution.expression.tree import Binary, Expression, Negate, Unit, has_quantity, letters
 from restitution.planning.writing.desk import Source, chain, link, together
 from restitution.planning.writing.forms import (
     ONE,
@@ -136,10 +136,10 @@ def time_quotient(
 
 
 def added(first: Vector, flight: Expression, pace: Vector) -> Expression:
-    """A place and a velocity for some time; a time that is open stands behind a size: ``4t i``."""
+    """A place and a velocity for some time; a time in letters stands behind a size: ``4t i``."""
     parts = [(value, axis) for value, axis in zip(pace, AXES, strict=True) if value != 0]
     distance = product(flight, tree_of(pace))
-    if len(parts) == 1 and has_quantity(flight):
+    if len(parts) == 1 and (has_quantity(flight) or letters(flight)):
         ((size, axis),) = parts
         distance = product(tree_of(size), flight, Unit(axis))
     return swept(total((tree_of(first), distance)))
