@@ -258,3 +258,33 @@ def test_a_deflection_may_be_a_letter_of_the_question() -> None:
 
 def test_the_share_that_is_left_for_the_one_lost_is_no_misconception() -> None:
     assert names(SHARED, "fraction = 17/20")[0] in (None, "arithmetic")
+
+
+FOUND = """sphere A: mass m, velocity 3u i + 2u j
+sphere B: mass k m, velocity -u i
+A hits B: along i, e = 1/2
+given along(velocity(A), i) = -u
+find k"""
+STRUCK = """sphere A: mass 2m, velocity 5u i
+sphere B: mass m, at rest
+A hits B: along 4i + 3j, e = 1/2
+find energy_lost"""
+
+
+def test_a_slip_below_a_true_equation_is_no_mistake_in_a_law() -> None:
+    lines = ["(3 - 3k)/(1 + k) = -1", "3 - 3k = -1 + k", "k = 1"]
+    assert names(FOUND, *lines) == [None, "sign", None]
+
+
+def test_an_energy_in_letters_without_a_name_is_the_one_that_is_asked() -> None:
+    # A goes from 5u to √13 u.
+    assert names(STRUCK, "½(2m)(5u - 3.61u)² = 1.93mu²") == ["energy-of-difference"]
+    true = "½(2m)(25u²) - ½(2m)(13u²) - ½m(16u²) = 4mu²"
+    assert names(STRUCK, true) == [None]
+    assert names(STRUCK, "½(2m)(25u²) - ½(2m)(13u²) = 12mu²") == [None]
+
+
+def test_a_root_of_two_squares_is_of_no_whole_speed() -> None:
+    statement = "wall X: along i\nwall Y: along j\nsphere P: mass m, velocity 4u i - 3u j\n"
+    statement += "P hits X: e = 2/3\nP hits Y: e = 1/2\nfind speed(P)"
+    assert names(statement, "speed = √(64/9 + 4)u = 10u/3")[0] in (None, "algebra", "misread")

@@ -487,3 +487,30 @@ def test_noughts_at_the_end_of_three_figures_may_be_left_out() -> None:
     statement += "given angle(velocity(A), i) = 81.787°\nfind e"
     lines = ["tan81.787 = 3.464/x", "x = 0.500", "2 = x + y", "y = 1.5", "e = (1.5 - 0.5)/2 = 0.5"]
     assert points(statement, *lines)[-1][2]
+
+
+def test_a_value_below_another_of_his_own_is_not_supported() -> None:
+    statement = "sphere A: mass 2, velocity 6i + 3j\nsphere B: mass 2, at rest\nA hits B: along i\n"
+    statement += "given energy_lost = 10\nfind e"
+    laws = ["v + w = 6", "w - v = 6e", "w = 3 + 3e, v = 3 - 3e"]
+    wrong = ["9(1 - e)² + 9(1 + e)² = 10", "18 + 18e² = 10", "e² = -4/9", "e = 2/3"]
+    assert verdicts(statement, *laws, *wrong)[-4:] == ["false", "follows", "follows", "unsupported"]
+    assert not points(statement, *laws, *wrong)[-1][2]
+    right = ["36 - 9(1 - e)² - 9(1 + e)² = 10", "18e² = 8", "e² = 4/9", "e = 2/3"]
+    assert verdicts(statement, *laws, *right) == ["true"] * 7
+
+
+@pytest.mark.parametrize("line", ["A = sqrt(2² + 3²)u = 3.61u", "A=√(4+9)u", "so A = √13u"])
+def test_a_root_is_the_speed_of_a_sphere(line: str) -> None:
+    statement = "sphere A: mass 2m, velocity 5u i\nsphere B: mass m, at rest\n"
+    statement += "A hits B: along 4i + 3j, e = 1/2\nfind speed(A)"
+    assert points(statement, line)[-1][2]
+
+
+def test_what_is_lost_may_be_said_below_its_negative() -> None:
+    statement = "wall W: along i\nsphere P: mass 2, velocity 3i - 5j\nP hits W: e = 2/5\n"
+    statement += "find energy_lost"
+    lines = ["KE lost = 13 - 34 = -21", "so 21 J lost"]
+    assert verdicts(statement, *lines) == ["false", "true"]
+    assert points(statement, *lines)[-1][2]
+    assert not points(statement, lines[0])[-1][2]

@@ -436,7 +436,9 @@ SLIPS: Mapping[str, Slip] = {
         Slip("sign", "A sign", "One sign is wrong."),
         Slip("arithmetic", "Arithmetic", "The numbers do not give this value."),
         Slip(
-            "algebra", "Algebra", "A factor, a power or a square of a sum was lost in rearranging."
+            "algebra",
+            "Algebra",
+            "A sign, a term, a factor or a power is another than before rearranging.",
         ),
         Slip("misread", "Misread", "One datum of the question was replaced by another."),
         Slip("calculator", "Calculator", "The calculator was set to radians."),

@@ -38,6 +38,7 @@ from restitution.practice.judging.entries import (
     Entry,
     Meanings,
     is_numeric,
+    names_of,
     sources_of,
 )
 from restitution.practice.judging.holding import OWN_ROUNDING
@@ -55,6 +56,7 @@ from restitution.practice.judging.other_forms import (
 )
 from restitution.practice.judging.own_values import ALTERED, Naming
 from restitution.practice.judging.own_vectors import square_of_own, with_vectors_put_back
+from restitution.practice.judging.plain_energies import is_turned_loss
 from restitution.practice.judging.plain_mistakes import is_of_energy
 from restitution.practice.judging.support import Support
 from restitution.practice.judging.uses import repeated_in
@@ -514,10 +516,22 @@ class Following(NearlyTrue):
 
         That a component stays is a law itself, and needs no other line.
         """
+        if any(is_turned_loss(other, self._base) for other in self.entries):
+            return False  # behind KE lost = 18 - 27 = -9 it is 9 J that are lost
+        if self._is_fudged(entry):
+            return True
         if not self._support.is_missing(entry, self.entries, students):
             return False
         uses = self.uses_of_entry(entry) if self._names else ()
         return not uses or any(use.altered or use.principle != "unchanged" for use in uses)
+
+    def _is_fudged(self, entry: Entry) -> bool:
+        """Whether a true value stands below his own equation for it, of another: ``e² = -4/9``."""
+        above = self.entries[-1] if self.entries else None
+        if above is None or above.right or above.claim.sign != "=" or not entry.is_value:
+            return False
+        name = entry.claim.left
+        return isinstance(name, Letter) and names_of(above.claim) == {name.name}
 
     def _is_grounded(self, entry: Entry) -> bool:
         """Whether a true line follows from true lines and laws that are not broken, or is a law.

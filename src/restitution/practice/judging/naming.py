@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from functools import cached_property
 from itertools import permutations
 
@@ -82,6 +81,7 @@ from restitution.practice.judging.signs import (
 from restitution.practice.judging.sizes import numbers_in, varying_size
 from restitution.practice.judging.slips import Correction, in_datum
 from restitution.practice.judging.solved_values import (
+    goes_on_from_true_line,
     has_kept_across,
     is_along_alone,
     is_decided,
@@ -142,7 +142,6 @@ _BEFORE_OF_SPHERES: Mapping[str, set[str]] = {
 # Where one component stands for the other, r = p, it is these that are taken for one another.
 _BEFORE_ACROSS: Mapping[str, set[str]] = {"across-changed": {"sine-cosine"}}
 _TRIED = 6
-_TWO = Number(Fraction(2))
 NO_NAME = Mistake(None)
 
 
@@ -163,7 +162,8 @@ class Names:
         parts = {text_of(correction.part) for correction in mended}
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
-        law = is_law_of_speeds(entry, judge.base)
+        squares = any(map(is_root_of_a_sum, walk(entry.claim.right)))
+        law = not squares and is_law_of_speeds(entry, judge.base)
         unresolved = not self._is_of_impulse(entry) and is_momentum_of_speeds(entry, judge.base)
         of_deflection = is_deflection_as_angle(entry, judge.base)
         of_deflection = of_deflection or is_given_deflection(entry, judge.base)
@@ -212,6 +212,10 @@ class Names:
             variants = ()  # a square of a difference is no energy of one sphere
         if is_numeric(entry.claim.right) and not is_of_a_journey(entry):
             variants = of_this_part(variants, judge.base)
+        if goes_on_from_true_line(entry, judge):
+            variants, plain = (), None
+        if plain in _OF_SPEEDS and squares:
+            plain = None
         if not self._by_states(entry, judge) and is_decided(entry, judge):
             variants, plain = (), None
         if is_coefficient(entry) and families == {"speed-for-component"}:
@@ -434,7 +438,7 @@ class Names:
         self, states: Sequence[VariantAt], entry: Entry, world: World
     ) -> Iterator[VariantAt]:
         """Altered laws, of which a speed kept at a wall by its components leaves e out."""
-        squares = is_root_of_a_sum(entry.claim.right)
+        squares = any(map(is_root_of_a_sum, walk(entry.claim.right)))
         for state in states:
             kept = state.mistake == "energy-conserved" and state.event.wall
             if not (kept and (squares or is_direct(state.event.number, world))):

@@ -330,7 +330,8 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     Who adds two squares has components, and puts no whole speed into a law; and of components
     that have one size nobody sees which is taken for the other.
     """
-    if is_root_of_a_sum(entry.claim.right) and variant.mistake in _OF_WHOLE_SPEEDS:
+    squares = any(map(is_root_of_a_sum, walk(entry.claim.right)))
+    if squares and variant.mistake in _OF_WHOLE_SPEEDS:
         return True
     if variant.mistake == "energy-one-sphere" and has_energies_of_both(entry, world):
         return True

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Binary,
     Letter,
     Quantity,
+    is_binary,
     is_vector,
     letters,
     quantities_in,
@@ -48,6 +49,23 @@ def is_decided(entry: Entry, judge: JudgedSoFar) -> bool:
     mended = replace(entry, claim=replace(claim, right=right), right=True, wrong=False)
     data = judge.question.given
     return bool(true) and bool(deduced_from(mended, [*known, *true], world, data))
+
+
+def goes_on_from_true_line(entry: Entry, judge: JudgedSoFar) -> bool:
+    """Whether a claim has a side of the true equation above it, a quotient cleared or not.
+
+    Below ``(3 - 3k)/(1 + k) = -1`` a wrong ``3 - 3k = -1 + k`` is a slip in algebra.
+    """
+    above = judge.entries[-1] if judge.entries else None
+    if above is None or not above.right or above.number == entry.number:
+        return False
+    if {entry.claim.sign, above.claim.sign} != {"="}:
+        return False
+    sides = [above.claim.left, above.claim.right]
+    sides += [side.left for side in sides if is_binary(side, "/")]
+    unknown = judge.base.determined | entry.meanings.keys()
+    long = [side for side in sides if isinstance(side, Binary) and letters(side) & unknown]
+    return any(side in long for side in (entry.claim.left, entry.claim.right))
 
 
 def _factor(entry: Entry, world: World) -> Fraction | None:

@@ -117,12 +117,12 @@ class Unlabelled(Journeys):
         self, tree: Expression, now: object, line: ScriptLine
     ) -> tuple[Link, Expression] | None:
         """The numbers of a line as the value of what is asked, if that is not true."""
-        value = _value_of(line)
+        value = self._value_of(line)
         if value is None or now != self._base.now(line.scope):
             return None
         decimals = line.links[-1].decimals if line.links else ()
         link = Link((Claim(tree, "=", value),), 1, 1, decimals)
-        if not self._is_fixed_number(tree) or self._holds(link, line, self.worlds) is not None:
+        if not self._is_multiple(value, tree) or self._holds(link, line, self.worlds) is not None:
             return None
         return link, value
 
@@ -158,11 +158,38 @@ class Unlabelled(Journeys):
                 )
                 yield from (before, after, Binary("-", before, after))
 
-    def _is_fixed_number(self, tree: Expression) -> bool:
+    def _is_multiple(self, value: Expression, tree: Expression) -> bool:
+        """Whether a value is a multiple of a quantity, by one number: 12mu² of 4mu²."""
         try:
-            return bool(np.ptp(self._base.scalar(tree)) < _CONSTANT)
-        except RestitutionError:
+            with np.errstate(all="ignore"):
+                ratio = self._base.spread(self._base.scalar(value) / self._base.scalar(tree))
+        except (RestitutionError, ZeroDivisionError):
             return False
+        return bool(np.all(np.isfinite(ratio)) and np.ptp(ratio) < _CONSTANT * np.abs(ratio).max())
+
+    def _is_of_statement(self, tree: Expression) -> bool:
+        """Whether a side is of numbers, or of letters that the question gives."""
+        own = letters(tree)
+        return is_numeric(tree) or (
+            own <= self._base.letters.keys() and not own & self.question.unknown
+        )
+
+    def _amounts_of(self, line: ScriptLine) -> Iterator[Expression]:
+        """The sides of a line, and its values, that are of numbers or of known letters."""
+        sides = (s for link in line.links for s in (link.readings[0].left, link.readings[0].right))
+        yield from (tree for tree in (*sides, *line.values) if self._is_of_statement(tree))
+
+    def _value_of(self, line: ScriptLine) -> Expression | None:
+        """What a line of numbers alone, or of known letters, works out, as it stands."""
+        sides = [s for link in line.links for s in (link.readings[0].left, link.readings[0].right)]
+        if line.kind not in ("relations", "remark") or len(line.values) + bool(sides) != 1:
+            return None
+        if not all(map(self._is_of_statement, (*sides, *line.values))):
+            return None
+        if any(link.readings[0].sign != "=" for link in line.links):
+            return None
+        worked = (tree for tree in (*sides, *line.values) if isinstance(tree, Binary))
+        return next(worked, None)
 
     def _is_worth(self, quantity: Expression, value: Expression, link: Link) -> bool:
         """Whether a number is the size of a quantity, as exactly as it is typed."""
@@ -175,10 +202,10 @@ class Unlabelled(Journeys):
     def _works_out(self, line: ScriptLine, value: Expression) -> bool:
         """Whether numbers of a line have a value."""
         try:
-            worth = float(self._base.scalar(value).flat[0])
+            worth = self._base.spread(self._base.scalar(value))
             return any(
-                abs(float(self._base.scalar(number).flat[0]) - worth) <= _SAME * abs(worth)
-                for number in _numbers_of(line)
+                np.allclose(self._base.spread(self._base.scalar(tree)), worth, rtol=_SAME)
+                for tree in self._amounts_of(line)
             )
         except RestitutionError:
             return False
@@ -212,25 +239,6 @@ def followed(lines: Sequence[JudgedLine], false: JudgedLine, last: int) -> tuple
         else line
         for line, follows in zip(lines, goes_on, strict=True)
     )
-
-
-def _numbers_of(line: ScriptLine) -> Iterator[Expression]:
-    """The sides of a line, and its values, that are of numbers alone."""
-    sides = (s for link in line.links for s in (link.readings[0].left, link.readings[0].right))
-    yield from (tree for tree in (*sides, *line.values) if is_numeric(tree))
-
-
-def _value_of(line: ScriptLine) -> Expression | None:
-    """What a line of numbers alone works out, as it stands."""
-    sides = [s for link in line.links for s in (link.readings[0].left, link.readings[0].right)]
-    if line.kind not in ("relations", "remark") or len(line.values) + bool(sides) != 1:
-        return None
-    if not all(map(is_numeric, (*sides, *line.values))):
-        return None
-    if any(link.readings[0].sign != "=" for link in line.links):
-        return None
-    worked = (tree for tree in (*sides, *line.values) if isinstance(tree, Binary))
-    return next(worked, None)
 
 
 def _stage_of(tree: Expression) -> int:

@@ -73,7 +73,9 @@ _WORD = re.compile(r"[A-Za-z]{3,}")
 _FUNCTION = re.compile(r"sin|cos|tan|sqrt")
 SPEEDS = re.compile(r"^\s*speeds?(?:\s+after)?\s*:\s*(?=[A-Z]\s*[√(\d]).*$")
 _OF_A_BODY = re.compile(r"(^|[,;]\s*|\band\s+)([A-Z])\s*(?=[√(\d])")
-ROOT_OF_A_BODY = re.compile(r"(^\s*|[,;]\s*|\band\s+)([A-Z])\s+(?=√)")
+ROOT_OF_A_BODY = re.compile(
+    r"(^\s*|[,;]\s*|\b(?:and|so)\s+)([A-Z])(?:\s+|\s*=\s*)(?=√|sqrt|root\b)(?![^,;=]*[\d)\s][ij]\b)"
+)
 AT_A_WALL = re.compile(
     r"^\s*at\s+(?:the\s+)?wall\s*:?\s*(?=\([^(),]*,[^(),]*\)\s*$)", re.IGNORECASE
 )
