@@ -8,6 +8,10 @@ from __future__ import annotations
 import pytest
 from workings import printed_with
 
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
 CASES = {
     "the tangent of the angle afterwards tells the components before": (
         """
@@ -183,3 +187,38 @@ given {given}
     printed_with(f"{wall}find velocity(P)\n", (*lines, "𝐯_P = (7u/25)𝐢 + (8u/25)𝐣"))
     printed_with(f"{wall}find alpha\n", (lines[0], "α = arc"))
     printed_with(f"{wall}find deflection(P)\n", (lines[0], "+ arctan(8/7)", "≈ 123°"))
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (
+            (
+                "sphere A: mass 4m, velocity 3u at alpha\n"
+                "sphere B: mass 2m, velocity 3u at -2 alpha\n"
+                "A hits B: along j, e = 0.25\nfind energy(A)"
+            ),
+            (
+                "4m × 3u sin α − 2m(3u × 2 sin α cos α) = 4mv + 2mw (3)",
+                "v = 0.25u(7 − 10 cos α) sin α",
+            ),
+        ),
+        (
+            (
+                "sphere A: mass m, velocity 2u at theta\n"
+                "sphere B: mass m, velocity u at 180° - 2 theta\nA hits B: along i, e = 1/2\n"
+                "find speed(B)"
+            ),
+            ("w − v = ½(2u cos θ + u(1 − 2 sin²θ)) (4)", "Eliminating v from (3) and (4)"),
+        ),
+    ],
+)
+def test_the_laws_with_an_angle_and_its_double_are_in_the_angle_first(
+    text: str, says: tuple[str, ...]
+) -> None:
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert "From (1) and (2), by the formulae for the double angle:" in shown
+    for line in says:
+        assert line in shown

@@ -573,3 +573,24 @@ def test_the_tangent_of_a_deflection_beside_degrees_for_a_calculator() -> None:
         assert f"tan δ = (tan {degrees}° + tan β)/(1 − tan {degrees}° tan β)" in to_text(
             explanation, 120
         )
+
+
+@pytest.mark.parametrize(
+    ("wall", "velocity", "given"),
+    [
+        ("30°", "2u at alpha to W", "cos(alpha) = 5/13, deflection(P) = 60°"),
+        ("3i + 4j", "3u at alpha to W", "tan(alpha) = 2, deflection(P) = 60°"),
+        ("j", "5 at theta to W", "tan(theta) = 4/3, deflection(P) = 45°"),
+    ],
+)
+def test_a_negative_coefficient_by_a_deflection_is_worked_out(
+    wall: str, velocity: str, given: str
+) -> None:
+    text = f"wall W: along {wall}\nsphere P: mass m, velocity {velocity}\nP hits W\n"
+    explanation = explain(solve(parse(f"{text}given {given}\nfind e\n")), check=True)
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert "a coefficient of restitution is not negative" in shown
+    assert "P turns through the sum" not in shown
+    assert "not written out" not in shown
+    assert "It is given that the angle of deflection of P is" in shown

@@ -59,23 +59,25 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
         tuple(in_direction(scene, kind, name.name, stage, frame) for kind in COMPONENTS)
         for stage in (event - 1, event)
     )
+    (c, s), (d, t) = early, late
     angle, refs = scene.put(scene.scalar(equation.link.right))
     if angle == sp.pi / 2:
         return _at_right_angles(scene, equation, name.name, event, early, late)
     line = _from_an_axis(scene, equation, name.name, event, early, late)
     if line is not None:
         return line
-    if frame.wall is not None:
+    # With e < 0 it would go on through the wall, and turn through no sum of angles.
+    goes_on = scene.model.sign(c.value) * scene.model.sign(d.value) > 0
+    if frame.wall is not None and not goes_on:
         line = given_at_a_wall(scene, equation, name.name, frame, angle)
         line = line or related_at_a_wall(scene, equation)
         worth = Source(angle, together(equation.refs, refs))
         line = line or given_by_the_angle_after(scene, equation, name, frame, worth)
         line = line or given_by_the_sum(scene, equation, name, frame, worth)
-    else:
+    elif frame.wall is None:
         line = given_turn(scene, equation)
     if line is not None:
         return line
-    (c, s), (d, t) = early, late
     cross = c.value * t.value - s.value * d.value
     trees = [tree_of(own.value) for own in (c, s, d, t)]
     above = [product(trees[0], trees[3]), product(trees[1], trees[2])]

@@ -8,8 +8,8 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation
-from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.explaining.lines.trees import exchanged, rebuilt
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
 from restitution.planning.closing.ratios import functions_of, inverse, ratio, write_identity
 from restitution.planning.closing.roots import known_as
 from restitution.planning.formulas.impacts import scene_value
@@ -58,6 +58,31 @@ def in_single_and_double(scene: Scene, line: int, symbol: sp.Symbol) -> SingleAn
     doubled = {sp.sin(double): double_t * sp.cos(double), sp.tan(double): double_t}
     factor = cancelled(numerator(own.subs(single).subs(doubled)))
     return SingleAndDouble(polynomial_in(factor, t, double_t), small)
+
+
+def without_doubles(scene: Scene, line: int) -> int:
+    """The line with sin 2θ and cos 2θ by θ; the same line, where it has none."""
+    link = scene.desk.last_link(line)
+    put = {
+        node: own
+        for side in (link.left, link.right)
+        for node in walk(side)
+        if (own := _by_the_half(node)) is not None
+    }
+    if link.sign != "=" or not put:
+        return line
+    left, right = (exchanged(side, put) for side in (link.left, link.right))
+    return write_identity(scene, line, "double-angle", chain(left, (right, None))) or line
+
+
+def _by_the_half(node: Expression) -> Expression | None:
+    """2 sin θ cos θ for sin 2θ, and 1 − 2 sin²θ for cos 2θ; None for all else."""
+    match node:
+        case Apply("sin", Binary("*", Number(value), Letter() as half)) if value == 2:
+            return product(TWO, Apply("sin", half), Apply("cos", half))
+        case Apply("cos", Binary("*", Number(value), Letter() as half)) if value == 2:
+            return difference(ONE, product(TWO, square(Apply("sin", half))))
+    return None
 
 
 def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:

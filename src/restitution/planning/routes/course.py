@@ -12,6 +12,7 @@ from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Apply, Letter, Name, Quantity, plain_letter
 from restitution.planning.closing.bounded_speeds import bounded_speeds
+from restitution.planning.closing.doubled_angles import without_doubles
 from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.shapes import close, without
@@ -350,6 +351,10 @@ class Course:
         # Of what is zero no denominator says what was divided by.
         names = symbol_names(*residuals) if value == 0 else set()
         enough = scene.judge.enough(move, lines, relation, background(scene, names))
+        if enough is None:
+            one, two = lines
+            lines = without_doubles(scene, one), without_doubles(scene, two)
+            enough = scene.judge.enough(move, lines, relation, background(scene, names))
         line = scene.desk.write(move, enough or lines, relation)
         scene.desk.know(letter, value, (line,))
 
