@@ -254,7 +254,7 @@ def test_an_extremum_has_a_bound_and_the_place_where_it_is_reached() -> None:
             "find maximum of speed(C) over k"
         )
     )
-    bound, place = (text.index(each) for each in ("≤ (1 + e)²u/9", "when k = 2"))
+    bound, place = (text.index(each) for each in ("≤ (1 + e)²u/9", "so k = 2"))
     assert bound < place
     assert "greatest speed of C = (1 + e)²u/9" in text
 
