@@ -288,3 +288,20 @@ def test_a_root_of_two_squares_is_of_no_whole_speed() -> None:
     statement = "wall X: along i\nwall Y: along j\nsphere P: mass m, velocity 4u i - 3u j\n"
     statement += "P hits X: e = 2/3\nP hits Y: e = 1/2\nfind speed(P)"
     assert names(statement, "speed = √(64/9 + 4)u = 10u/3")[0] in (None, "algebra", "misread")
+
+
+TURNED = """wall W: along i
+sphere P: velocity 3i - 4j
+P hits W: e = 1/2
+find deflection(P)"""
+
+
+@pytest.mark.parametrize(
+    ("above", "line"),
+    [
+        ("tan δ = (4/3 + 2/3)/(1 - 8/9) = 18", "δ = tan^-1(-18)"),
+        ("cos δ = (9 - 8)/(5√13) = 0.0555", "δ = cos^-1(-0.0555) = 93.2°"),
+    ],
+)
+def test_a_sign_left_out_of_an_inverse_ratio_is_a_slip(above: str, line: str) -> None:
+    assert names(TURNED, above, line) == [None, "sign"]

@@ -74,6 +74,7 @@ from restitution.practice.judging.plain_mistakes import (
 )
 from restitution.practice.judging.signs import (
     OF_SIGNS,
+    is_inverse_of_the_opposite,
     is_slip_of_sign,
     is_turned_as_a_whole,
     plainer_signs,
@@ -190,6 +191,8 @@ class Names:
         slip = kind_of_slip(entry, judge, mended)
         if slip == "arithmetic" and is_sum_of_angles(entry) and not is_deflection(entry):
             slip = None  # which angles they are is wrong, and not their sum
+        if is_inverse_of_the_opposite(entry, judge.entries):
+            return Explained(slip="sign", at=at)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
         nearest, near = _near(entry, judge, mended) if idle or slip else (None, ())

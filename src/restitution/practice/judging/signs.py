@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import product
 
 import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -21,7 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judging.entries import Entry, is_monomial
+from restitution.practice.judging.entries import Entry, is_monomial, is_numeric
 from restitution.practice.judging.plain_mistakes import is_zero
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.squares import is_worth
@@ -30,6 +32,8 @@ from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
 OF_SIGNS = frozenset({"momentum-sign", "restitution-sign"})
+# Two values of which one is rounded to two figures agree so far.
+_NEAR = Fraction(1, 100)
 
 
 def plainer_signs(
@@ -82,6 +86,26 @@ def is_slip_of_sign(entry: Entry, mended: Sequence[Correction], world: World) ->
         return False
     sizes = tuple(_terms(world))
     return not any(is_worth(part, entry, world, sizes) for part in turned if part != right)
+
+
+def is_inverse_of_the_opposite(entry: Entry, entries: Sequence[Entry]) -> bool:
+    """Whether an angle is taken of a ratio of which a line above has the opposite.
+
+    In ``δ = tan⁻¹(18)`` below ``tan δ = −18`` a sign is left out.
+    """
+    match entry.claim.right:
+        case Apply("arcsin" | "arccos" | "arctan" as inverse, ratio) if is_numeric(ratio):
+            own = in_letters(ratio)
+        case _:
+            return False
+    for above in entries:
+        match above.claim.left:
+            case Apply(function) if function == inverse.removeprefix("arc") and not above.wrong:
+                if is_numeric(above.claim.right):
+                    other = in_letters(above.claim.right)
+                    if own and abs(own + other) < _NEAR * abs(own):
+                        return True
+    return False
 
 
 def is_turned_as_a_whole(entry: Entry, mended: Sequence[Correction]) -> bool:
