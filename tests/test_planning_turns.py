@@ -594,3 +594,16 @@ def test_a_negative_coefficient_by_a_deflection_is_worked_out(
     assert "P turns through the sum" not in shown
     assert "not written out" not in shown
     assert "It is given that the angle of deflection of P is" in shown
+
+
+@pytest.mark.parametrize("mass", ["m", "k m"])
+def test_a_deflection_that_a_direct_impact_excludes_rests_on_its_line_alone(mass: str) -> None:
+    text = (
+        f"sphere A: mass 2m, velocity 5i\nsphere B: mass {mass}, at rest\nA hits B: along i\n"
+        "given deflection(A) = 30°\nfind direction(B)\n"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert "tan δ = 0" in shown
+    assert "the data contradict each other" in shown

@@ -347,10 +347,12 @@ class Worths:
         plain = together(own.refs, extra)
         wider = together(own.refs, extra, self.axes(quantity))
         pools = (plain, (*plain, *known_), wider, (*wider, *known_))
+        # Of what is zero one factor is enough.
+        sure = () if own.value == 0 else plain
         shown: Any = "silent" if self._is_its_letter(quantity, own) else "line"
         for relation in chains:
             for pool in dict.fromkeys(pools):
-                number_ = self.judge.write((own.move,), pool, relation, plain, shown)
+                number_ = self.judge.write((own.move,), pool, relation, sure, shown)
                 if number_ is not None:
                     if own.left == quantity:
                         scene.desk.know(quantity, own.value, (number_,))
