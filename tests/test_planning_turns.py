@@ -607,3 +607,18 @@ def test_a_deflection_that_a_direct_impact_excludes_rests_on_its_line_alone(mass
     assert explanation.followed
     assert "tan δ = 0" in shown
     assert "the data contradict each other" in shown
+
+
+@pytest.mark.parametrize(
+    ("wall", "velocity"), [("i", "2i + 4j"), ("j", "4i + 2j"), ("i", "u(i - 2j)")]
+)
+def test_the_tangent_after_a_wall_has_the_sign_for_any_coefficient(
+    wall: str, velocity: str
+) -> None:
+    text = (
+        f"wall W: along {wall}\nsphere P: mass m, velocity {velocity}\nP hits W\n"
+        "given tan(deflection(P)) = 2\nfind e\n"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    assert explanation.followed
+    assert "2 = (2 + 2e)/(1 − 4e)" in to_text(explanation, 120)

@@ -110,7 +110,7 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     trees = []
     for source in (above, below):
         tree = tree_of(source.value)
-        if scene.model.sign(source.value) < 0:
+        if _is_backwards(scene, source.value):
             # A sum of numbers alone has its terms the other way round: (√6 − √2)u/12.
             sums = sp.sympify(source.value, strict=True).atoms(sp.Add)
             numbers = sums and not any(own.free_symbols for own in sums)
@@ -119,7 +119,7 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     if is_zero(trees[1]):
         raise NotPlannedError("a right angle")
     value = tidy(above.value / below.value)
-    value = -value if scene.model.sign(value) < 0 else value
+    value = -value if _is_backwards(scene, value) else value
     if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
         raise NotPlannedError("a tangent of open sign")
     both = {model.sign(model.in_data(below.value)) for model in scene.others} >= {1, -1}
@@ -335,6 +335,12 @@ def _to_the_line(
         for source, sign in ((across, side), (along, sense))
     ]
     return Binary("/", *trees), tidy(side * sense * across.value / along.value)
+
+
+def _is_backwards(scene: Scene, value: sp.Expr) -> bool:
+    """Whether a value is negative, or would be with any other coefficient than 0."""
+    sign = scene.model.sign(value)
+    return sign < 0 or (sign == 0 and value != 0 and bool(scene.model.decide(value, "<=", 0)))
 
 
 def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
