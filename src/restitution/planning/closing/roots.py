@@ -103,6 +103,12 @@ def by_roots(
     for polynomial in polynomials:
         roots += _real_roots(scene, number, polynomial)
     roots = list(dict.fromkeys(roots))
+    if scene.kept and any(
+        power.exp == sp.S.Half and power.free_symbols & scene.kept
+        for root in roots
+        for power in root.atoms(sp.Pow)
+    ):
+        return None  # where an angle stays below a root, its ratios are put in first
     kept = [root for root in roots if is_reached(scene, root, of, symbol)]
     wanted = [value for value in kept if is_value(scene.model, value, of, symbol)]
     if len(wanted) != 1:
