@@ -339,8 +339,9 @@ def _to_the_line(
 
 def _is_backwards(scene: Scene, value: sp.Expr) -> bool:
     """Whether a value is negative, or would be with any other coefficient than 0."""
-    sign = scene.model.sign(value)
-    return sign < 0 or (sign == 0 and value != 0 and bool(scene.model.decide(value, "<=", 0)))
+    symbols = sp.sympify(value, strict=True).free_symbols
+    ones = {symbol: sp.S.One for symbol in symbols if scene.model.final.get(symbol) == 0}
+    return scene.model.sign(value.xreplace(ones) if ones else value) < 0
 
 
 def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
