@@ -305,3 +305,13 @@ find deflection(P)"""
 )
 def test_a_sign_left_out_of_an_inverse_ratio_is_a_slip(above: str, line: str) -> None:
     assert names(TURNED, above, line) == [None, "sign"]
+
+
+def test_a_square_left_out_of_the_tangent_of_a_deflection_is_no_angle_after() -> None:
+    # The value is tan α by chance.
+    statement = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+    statement += "A hits B: along i, e = 1/2\ngiven tan(alpha) = 1/2\nfind tan(deflection(A))"
+    line = "tan δ = (3 × ½)/(1 + 4 × ½) = 0.5"
+    marking = restitution.mark(solution_of(statement), line, letters={"δ": "deflection(A)"}).json()
+    assert marking["lines"][0]["verdict"] == "false"
+    assert marking["lines"][0]["mistake"]["id"] == "algebra"

@@ -178,8 +178,6 @@ class Names:
             variants = () if is_slip_of_sign(entry, mended, judge.base) else variants
         if of_signs == {"momentum-sign"} and is_turned_as_a_whole(entry, mended):
             variants = ()  # 4(v - j) = -4i + 8j: which impulse it is of, is not said
-        if is_what_is_left(entry, judge.base):
-            variants = ()
         if is_halved(entry, judge.base):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:
@@ -215,7 +213,9 @@ class Names:
             variants = ()  # a square of a difference is no energy of one sphere
         if is_numeric(entry.claim.right) and not is_of_a_journey(entry):
             variants = of_this_part(variants, judge.base)
-        if goes_on_from_true_line(entry, judge):
+        squared = families == {"deflection-is-after"} and any(x.change == "square" for x in mended)
+        kept = is_what_is_left(entry, judge.base)
+        if squared or kept or goes_on_from_true_line(entry, judge):
             variants, plain = (), None
         if plain in _OF_SPEEDS and squares:
             plain = None
