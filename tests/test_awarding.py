@@ -328,6 +328,17 @@ find total_energy_lost
 a: 5 alpha = 20°
 b: 8 total_energy_lost(1) = 1/4 m u^2
 """,
+    # A speed that is given and asked is read off.
+    "given-speed": """
+wall W: along i
+sphere P: mass 2, velocity 4i - 3j
+P hits W
+given speed(P) = 9/2
+find speed(P)
+---
+1 1 | fact | given 1 | speed(P, 1) = 9/2
+1: 1 speed(P, 1) = 9/2
+""",
     # The speeds and the energies of both spheres, which are asked.
     "speeds-of-both": """
 sphere A: mass 2, velocity 3i + 4j
@@ -1006,6 +1017,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("bounds", "brought-to-rest", 7, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
     ("bound-that-is-approached", "close-to-straight-back", 11, "DM1", "DM1", "DM1"),
     ("comparison", "compared", 8, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
+    ("value-that-is-given", "given-speed", 1, "B1", "B1", "B1"),
     ("given-fact", "energies", 3, "M1", "M1", "M1"),
     ("reason-for-a-root", "energies", 5, "B1 A1", "B1 A1", "B1 A1"),
 )

@@ -98,7 +98,7 @@ find minimum of distance(A, B, at time(1) + T) over T
         ),
         (
             {"near": "d", "speed": "u", "far": "4d", "up": "d", "slow": "u"},
-            "4d i + d j - (d/u + T) (u i)",
+            "4d i + d j - u (d/u + T) i",
             "sqrt((3d - 3T u/2)^2 + d^2)",
             "distance(A, B, at time(1) + T) >= d",
         ),

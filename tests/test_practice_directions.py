@@ -14,7 +14,7 @@ sphere A: mass 1, velocity 6i + 3j
 sphere B: mass 2, at rest
 A hits B
 given velocity(A) = 3i - 3j
-find velocity(B)
+find e, velocity(B)
 """
 WALL = """
 wall W: along 3i - 4j
@@ -67,9 +67,9 @@ def test_a_component_along_a_slanted_line_is_no_velocity() -> None:
     lines = "let n = (i + 2j)/√5", "12/√5 = -3/√5 + 2w", "w = 15/(2√5)"
     found = marking(TURNED, *lines, letters=letters)
     assert [line["verdict"] for line in found["lines"]] == ["remark", "true", "true"]
-    assert states(found)[-2:] == [("M1", "lost"), ("A1", "lost")]
+    assert states(found)[-2:] == [("M1", "lost"), ("A1ft", "lost")]
     whole = marking(TURNED, *lines, "velocity of B = 1.5i + 3j", letters=letters)
-    assert states(whole)[-2:] == [("M1", "earned"), ("A1", "earned")]
+    assert states(whole)[-2:] == [("M1", "earned"), ("A1ft", "earned")]
 
 
 def test_a_component_before_an_impact_is_no_velocity_after_it() -> None:

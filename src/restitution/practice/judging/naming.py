@@ -7,7 +7,7 @@ mistake has no name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import permutations
@@ -40,6 +40,7 @@ from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_jour
 from restitution.practice.judging.exchanged_components import is_kept_by_sines, is_sine_for_cosine
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
+from restitution.practice.judging.more_usual import more_usual_than
 from restitution.practice.judging.named_results import (
     is_deflection,
     is_impulse,
@@ -117,31 +118,6 @@ _OF_ACROSS = frozenset({"across-changed", "across-exchanged"})
 _WITHOUT_COEFFICIENT = frozenset({"energy-conserved", "restitution-omitted"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
 _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
-# Mistakes that are less usual than others of which a line may be an instance as well.
-_BEFORE: Mapping[str, set[str]] = {
-    "angle-from-normal": {"sine-cosine"},
-    "energy-conserved": {"restitution-omitted", "restitution-inverted"},
-    "energy-component-missing": {"energy-fraction-of-line"},
-    "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-inverted"},
-    "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
-    "impulse-of-speeds": {"impulse-sign"},
-    "deflection-difference": {"deflection-is-after"},
-    "across-changed": {"mass-omitted"},
-    "square-not-taken": {"energy-one-sphere", "energy-of-difference"},
-}
-_BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
-    "angle-from-normal": {"sine-cosine", "second-wall-angle"},
-    "sine-cosine": {"second-wall-angle"},  # at walls at right angles both are one
-    "across-changed": {"restitution-parallel"},
-    "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-whole-speed"},
-    "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
-}
-_BEFORE_OF_SPHERES: Mapping[str, set[str]] = {
-    "restitution-parallel": {"across-changed"},
-    "across-exchanged": {"across-changed"},
-}
-# Where one component stands for the other, r = p, it is these that are taken for one another.
-_BEFORE_ACROSS: Mapping[str, set[str]] = {"across-changed": {"sine-cosine"}}
 _TRIED = 6
 NO_NAME = Mistake(None)
 
@@ -307,11 +283,7 @@ class Names:
             also = (*families, "speed-for-component")
             return Mistake(None, "misconception", ids, also, explained.at, sure=False)
         wall = variants[0].event.wall
-        usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
-        before = {
-            family: usual.get(family, set()) | _BEFORE_ACROSS.get(family, set())
-            for family in families
-        }
+        before = {family: more_usual_than(family, wall) for family in families}
         likely = [family for family in families if not set(families) & before[family]]
         name = likely[0] if len(likely) == 1 and not open_ else None
         if name == "angle-from-normal" and any(own.mistake == "sine-cosine" for own in every):
