@@ -12,6 +12,10 @@ CORNER = (
     "wall W: along i\nwall X: along j\nsphere P: mass m, velocity u at 30° to W\n"
     "P hits W: e = 1/2\nP hits X: e = 1/3\nfind angle(velocity(P, 0), velocity(P))\n"
 )
+OUT = (
+    "wall W: along i\nsphere P: velocity 10 at 40° to W\nP hits W\n"
+    "given angle(velocity(P), W) = 25°\nfind e, speed(P)\n"
+)
 LOSSES = (
     "wall W: along i\nwall X: along j\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
     "P hits X\ngiven 0 < e < 1\nshow energy_lost(1)/energy_lost(2) = tan^2(alpha)\n"
@@ -55,6 +59,11 @@ TWO = (
 @pytest.mark.parametrize(
     ("statement", "line", "verdict"),
     [
+        (OUT, "(∥) v cos25 = 10cos40", "true"),
+        (OUT, "(⟂) v sin25 = 10e sin40", "true"),
+        (OUT, "(perpendicular to W) v sin25 = 10sin40", "false"),
+        (OUT, "(÷) tan 25 = e tan 40", "true"),
+        (OUT, "(+) v cos25 + v sin25 = 10cos40 + 10e sin40", "true"),
         (WALL, "perp: 4 → 2", "true"),
         (WALL, "perp: 4 → 3", "false"),
         (WALL, "KE 25 → 13, so 12 lost", "true"),
@@ -455,3 +464,15 @@ def test_letters_of_the_book_for_impulses_velocities_and_speeds() -> None:
         "show speed(P)^2 = (1 + 3e^2)u^2/4\n"
     )
     assert verdicts(square, "v² = u²cos²60 + e u²sin²60") == ["false"]
+
+
+def test_a_name_of_an_earlier_part_keeps_its_meaning() -> None:
+    statement = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\npart a\n"
+        "A hits B: along i\nlet beta = angle(velocity(A), i)\n"
+        "show tan(beta) = 3 tan(alpha)/(1 - 2e)\n"
+        "part b\ngiven e = 1/4, tan(alpha) = 1/2\nfind deflection(A)\n"
+    )
+    lines = ["tan β = 3(1/2)/(1/2) = 3", "β = 71.6°", "tan β = 2"]
+    found = restitution.mark(solution_of(statement), lines, part="b").json()
+    assert [line["verdict"] for line in found["lines"]] == ["true", "true", "false"]

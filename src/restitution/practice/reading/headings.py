@@ -32,6 +32,13 @@ _COMBINED = re.compile(
     r"(?:\s*[+\-−–/]\s*(?:\d\s*[x×*]?\s*)?[(\[]\d[)\]](?:\s*[x×*]\s*\d)?)*"
     r"\s*(?::|=>|→|gives|(?=\s[\dA-Za-z(]))"
 )
+# What is done to equations, and the direction of one: (+), (÷m), (∥), (perpendicular to W).
+_ASIDE = re.compile(
+    r"\s*[(\[]\s*(?:[+\-−–]|[×*÷/]\s*\w{0,3}|∥|//|\|\||[⟂⊥]r?"
+    r"|(?:parallel|perp|along|across|normal|tangential|horizontal|vertical)\b[^()\[\]=<>]*|perpendicular"
+    r"[^()\[\]=<>]*)\s*[)\]]\s*:?\s*(?=[^\s=<>+*/^])",
+    re.IGNORECASE,
+)
 _BEHIND = re.compile(
     r"(?:[\s.…_-]+|\s)(?:[(\[]\s*(?:eqn?\s*)?(?:\d|[ivx]+|\*+|[A-E])\s*[)\]]|[①-⑳])\s*$"
 )
@@ -62,9 +69,9 @@ def crossed(text: str) -> str | None:
 
 
 def without_number(text: str) -> int:
-    """Where a line begins behind the number, the bullet or ``(1)+(2):`` in front of it."""
+    """Where a line begins behind the number, the bullet, ``(1)+(2):`` or ``(÷m)`` before it."""
     offset = 0
-    match = _COMBINED.match(text)
+    match = _COMBINED.match(text) or _ASIDE.match(text)
     if match and re.search(r"[=<>]", text[match.end() :]):
         offset = match.end()
     else:

@@ -11,7 +11,7 @@ import numpy as np
 from restitution.practice.worlds.arrays import Array
 from restitution.problem import Event, Let, Part, Point, Problem, Sphere, Wall
 from restitution.records import dataclass
-from restitution.solving.story.forward import Story
+from restitution.solving.story.forward import Story, lets_up_to
 from restitution.vector import Vector
 
 Stage = tuple[int, str]
@@ -46,10 +46,11 @@ class Plot:
     known: dict[str, Any] = field(default_factory=dict, repr=False)
 
     @classmethod
-    def of(cls, story: Story) -> Plot:
-        """The plot of a story that has been told."""
+    def of(cls, story: Story, part: Part) -> Plot:
+        """The plot of a story that has been told, with the names that earlier parts gave."""
         steps = tuple(happening.step for happening in story.happenings)
-        return cls(steps, story.lets, story.spheres, story.walls, story.points, story.open_times)
+        lets = lets_up_to(story.problem, part) | dict(story.lets)
+        return cls(steps, lets, story.spheres, story.walls, story.points, story.open_times)
 
 
 @dataclass(frozen=True, eq=False)

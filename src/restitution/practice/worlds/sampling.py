@@ -19,7 +19,7 @@ from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.world import World, stacked, world_of
 from restitution.solving.algebra.numbers import FIELD, at, bound, sample
 from restitution.solving.equations.solution import Branch, PartSolution, Solution
-from restitution.solving.story.forward import lets_of
+from restitution.solving.story.forward import lets_up_to
 from restitution.solving.story.unknowns import Numbers
 
 NO_VALUES: Mapping[str, Fraction] = {}
@@ -53,7 +53,7 @@ def _world(
     solution: Solution, solved: PartSolution, branch: Branch, fixed: Mapping[str, Fraction]
 ) -> World | None:
     roles = _roles(solution, solved, branch)
-    free = sorted(set(roles) - set(branch.values) - set(lets_of(solution.problem, solved.part)))
+    free = sorted(set(roles) - set(branch.values) - set(lets_up_to(solution.problem, solved.part)))
     angles = frozenset(name for name, role in roles.items() if role.kind == "angle")
     seed = f"{solution.problem.title} {solved.part.label} {branch.number} {sorted(roles)}"
     rng = random.Random(seed)

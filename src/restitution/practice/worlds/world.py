@@ -276,7 +276,7 @@ def world_of(
         walls,
         times,
         {name: _stops(story, name) for name in story.spheres},
-        Plot.of(story),
+        Plot.of(story, part),
     )
 
 

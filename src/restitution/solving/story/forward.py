@@ -22,7 +22,7 @@ from restitution import work
 from restitution.errors import ImpossibleError
 from restitution.expression.evaluate import Numeric, Symbolic, Value
 from restitution.expression.tree import Apply, Expression, Name, Quantity, letters
-from restitution.problem import Arrival, Event, Impact, Kick, Let, Part, Problem, Sphere
+from restitution.problem import Arrival, Event, Impact, Kick, Let, Part, Problem, Sphere, Unknown
 from restitution.solving.story import bodies, places, quantities
 from restitution.solving.story.conditions import Condition
 from restitution.solving.story.happenings import Happening, Standing
@@ -212,3 +212,17 @@ def lets_of(problem: Problem, part: Part) -> dict[str, tuple[Let, int]]:
         for step, events, _ in problem.timeline(part)
         if isinstance(step, Let)
     }
+
+
+def lets_up_to(problem: Problem, part: Part) -> dict[str, tuple[Let, int]]:
+    """The same with the names of earlier parts that this one does not use, nor takes anew."""
+    last = problem.parts.index(part)
+    named = {
+        step.letter: (step, events)
+        for step, events, own in problem.timeline()
+        if isinstance(step, Let) and problem.parts.index(own) <= last
+    }
+    for step in part.steps:
+        if isinstance(step, Unknown):
+            named = {name: let for name, let in named.items() if name not in step.letters}
+    return named | lets_of(problem, part)
