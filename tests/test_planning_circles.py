@@ -368,7 +368,7 @@ def test_three_chords_that_close_make_a_right_angle() -> None:
         "tan(psi) = u sin(theta)/(1/16 u cos(theta)) = 16tan(theta) [rearrange]",
     ]
     text = printed(problem, derivation)
-    assert "so their three angles make 90°" in " ".join(text.split())
+    assert "so the three angles have the sum 90°" in " ".join(text.split())
     (line,) = (each for each in derivation.lines if each.move.record == "round")
     for wrong in ("theta + phi = 180° - psi", "theta + phi = 90° + psi", "theta - phi = 90° - psi"):
         assert spoiled(problem, derivation, line, wrong)

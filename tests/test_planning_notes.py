@@ -37,7 +37,7 @@ A hits B: along i{e}
 """
 
 WITHOUT_E = (
-    "The other answers are worked out from the data without e, though there is no such impact."
+    "What else is asked is worked out from the data without e, though there is no such impact."
 )
 
 

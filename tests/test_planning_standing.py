@@ -245,7 +245,10 @@ def test_what_is_shown_at_the_end_of_a_letter_has_its_value_there() -> None:
     text = printed(
         "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow speed(P) <= u"
     )
-    assert "increases with e, 0 ≤ e ≤ 1 and it is u if e = 1 (as required)" in text
+    assert (
+        "as 0 ≤ e ≤ 1 and u√(cos²α + e² sin²α) increases with e, to u if e = 1 (as required)"
+        in text
+    )
 
 
 def test_an_energy_of_letters_that_are_positive_needs_no_line_that_it_is() -> None:

@@ -207,7 +207,7 @@ def test_three_chords_of_a_ring_close_at_a_third_impact_too() -> None:
         find tan(beta)
         """,
         [
-            "It is given that the position of P at the third impact is (r, 0). A chord subtends",
+            "position of P at the third impact is (r, 0). At the centre a chord subtends",
             "β + φ = 90° − ψ",
             "tan²β = 1/14",
             "tan β = √14/14",
@@ -545,3 +545,33 @@ def test_an_angle_in_whole_degrees_has_no_figures_behind_it() -> None:
         ["θ = 60°"],
     )
     assert "60.00°" not in text
+
+
+def test_what_is_required_is_the_result_and_not_the_case_that_it_leaves_out() -> None:
+    printed_with(
+        """
+        sphere A, B: mass m
+        sphere A: velocity u at alpha
+        sphere B: at rest
+        A hits B: along i
+        show tan(angle(velocity(A), i)) = 2 tan(alpha)/(1 - e)
+        """,
+        ["2 tan α/(1 − e) (as required), and ", " = 90° if e = 1"],
+    )
+
+
+def test_what_comes_of_figures_is_in_figures() -> None:
+    text = printed_with(
+        """
+        wall W: along i
+        sphere P: mass 0.3, velocity 8 at 50° to W
+        P hits W
+        given angle(velocity(P), W) = 35°
+        part a
+        find e
+        part b
+        find impulse
+        """,
+        ["Substituting e ≈ 0.5875 from part (a) in (1): component of 𝐯_P away from W ≈ 3.601"],
+    )
+    assert "8 cos 50° tan 35°" not in text

@@ -193,7 +193,26 @@ class ChainsInFigures:
             self._figures.stands_for(exact[-1], trees[first])
         if put and any(map(self._figures.has_sums_of_roots, exact)):
             self._in_figures_above.add(exact[0])
+        if not put and self._puts_in_figures(line, last):
+            trees[-1] = self._figures.outcome(last)
+            self._figures.stands_for(last, trees[-1])
+            return frozenset({len(trees) - 1})
         return put
+
+    def _puts_in_figures(self, line: Line, value: Expression) -> bool:
+        """Whether a number comes of what another part has in figures: it is one itself then."""
+        if line.move.id != "put" or not of_plain_angles(value):
+            return False
+        part = self._ends.part(line)
+        for ref in numbers_in(line.premises):
+            own = self._derivation.line(ref)
+            relation = None if own is None else own.relation
+            if own is None or not isinstance(relation, Relation) or self._ends.part(own) == part:
+                continue
+            given = Link(relation.only[0].left, "=", relation.only[-1].right)
+            if isinstance(given.left, Letter) and self.in_figures(given).sign == "≈":
+                return True
+        return False
 
     def _only_works_out(self, line: Line) -> bool:
         """Whether a line makes a value of what stands, or says a coordinate as a distance."""

@@ -67,7 +67,13 @@ from restitution.workings.reasons.signs_of_factors import signs_of_factors
 from restitution.workings.reasons.together import with_acute_angles_together
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "divide", "monotone", "inverse"})
-_BEHIND = {"derived.fact-equal": 1, "derived.it-is": 2, "derived.from-to": 2}
+_BEHIND = {
+    "derived.fact-equal": 1,
+    "derived.it-is": 2,
+    "derived.from": 2,
+    "derived.to": 2,
+    "derived.from-to": 2,
+}
 Words = tuple[Sentence | lay.Layout, ...]
 
 

@@ -59,15 +59,20 @@ class Row:
     def note(self) -> Words:
         """Words behind the line, with the brackets in which they stand."""
         spoken: list[str | Layout] = []
-        if self.reasons:
-            spoken += [str(say("list.comma"))]
-            spoken += words_of(self.reasons, str(say("list.comma")))
+        comma = str(say("list.comma"))
+        # What is required is the printed result, and not the case that it leaves out.
+        required = any(aside.id == "shown.required" for aside in self.asides)
+        late = [own for own in self.reasons if required and own.id == "derived.right-angle"]
+        if first := [own for own in self.reasons if own not in late]:
+            spoken += [comma, *words_of(first, comma)]
         number = (say("derived.value", value=self.number),) if self.number else ()
         for aside in (self.asides, number):
             if aside:
                 # A number behind words stands apart from them.
                 gap = "" if not spoken else 3 * NO_BREAK if aside is number else " "
                 spoken += [f"{gap}(", *words_of(aside, str(say("list.semicolon"))), ")"]
+            if aside is self.asides and late:
+                spoken += [comma, *words_of(late, comma)]
         return tuple(spoken)
 
 

@@ -103,11 +103,11 @@ SENTENCES: Mapping[str, str] = {
         "{letter} is possible: what is given cannot occur."
     ),
     "note.goes-on": (
-        "The other answers are worked out from the data without {letter}, though there is no such "
+        "What else is asked is worked out from the data without {letter}, though there is no such "
         "impact."
     ),
     "note.rests-on": (
-        "The other answers are worked out from the data all the same, though there is no such "
+        "What else is asked is worked out from the data all the same, though there is no such "
         "impact."
     ),
     "note.below-zero": (

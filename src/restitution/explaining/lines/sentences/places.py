@@ -48,12 +48,12 @@ SENTENCES: Mapping[str, str] = {
         "between the path and the line of centres is offset/(2r)."
     ),
     "round.title": (
-        "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
-        "subtend 360°, so their three angles make 90°"
+        "At the centre a chord subtends 180° less twice its angle with the radii, and the three "
+        "chords subtend 360°, so the three angles have the sum 90°"
     ),
     "round.three": (
-        "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
-        "subtend 360°, so their three angles make 90°:"
+        "At the centre a chord subtends 180° less twice its angle with the radii, and the three "
+        "chords subtend 360°, so the three angles have the sum 90°:"
     ),
     "round.same": (
         "As the impacts between are perfectly elastic, they leave the angle with the radius as it "

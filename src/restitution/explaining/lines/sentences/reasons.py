@@ -8,6 +8,8 @@ SENTENCES: Mapping[str, str] = {
     "derived.not-negative": "a coefficient of restitution is not negative",
     "derived.at-most-one": "a coefficient of restitution is at most 1",
     "derived.it-is": "it is {value} if {at}",
+    "derived.from": "{growth}, from {value} if {at}",
+    "derived.to": "{growth}, to {value} if {at}",
     "derived.from-to": "{growth}, from {low} if {first} to {high} if {last}",
     "derived.no-value": "there is no {letter} if {bound}",
     "derived.negative": "the {component} is negative",
