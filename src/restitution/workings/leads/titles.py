@@ -235,6 +235,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 return self._of_all(*line.move.bodies)
             case "energy" | "total", Binary("^", Quantity("speed")):
                 return "derived-energy.speed"
+            case "tan-deflection", Apply("tan", Quantity("deflection")) if is_zero(last.right):
+                return say("turned.on-one-line", body=bodies[0])
             case "tan-deflection", Apply("cot"):
                 return "turned.products-over"
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):

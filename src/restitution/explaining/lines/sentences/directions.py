@@ -107,6 +107,10 @@ SENTENCES: Mapping[str, str] = {
         "Tangent of the angle between two velocities = size of their vector product ÷ their scalar "
         "product"
     ),
+    "turned.on-one-line": (
+        "{body} moves along one line before and after the impact, so it goes straight on or "
+        "straight back"
+    ),
     "turned.products-over": (
         "Cotangent of the angle between two velocities = their scalar product ÷ size of their "
         "vector product"
