@@ -275,3 +275,18 @@ def test_the_sum_of_two_deflections_is_followed() -> None:
 def test_what_degrees_come_to_is_exact() -> None:
     text = "wall W: along i\nsphere P: velocity -u j\nP hits W: e = 1/2\nfind 200° - deflection(P)"
     assert "= 20°" in to_text(explain(solve(parse(text))))
+
+
+def test_the_figures_of_a_sum_of_angles_are_degrees() -> None:
+    text = to_text(
+        explain(
+            solve(
+                parse(
+                    "wall W: along i\nsphere P: velocity -u j\nsphere Q: velocity u at 35° to W\n"
+                    "P hits W: e = 1/2\nQ hits W: e = 1/2\nfind deflection(P) + deflection(Q)"
+                )
+            )
+        )
+    )
+    assert "≈ 180° + 35° + 19.30°" in " ".join(text.split())
+    assert "≈ 234°" in text

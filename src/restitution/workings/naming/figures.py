@@ -339,7 +339,12 @@ class Figures:
         return next(filter(partial(_same_angle, tree, inverse="arctan"), numbers), None)
 
     def outcome(self, tree: Expression) -> Expression:
-        """A number, or a multiple of letters by one, in figures; any other value as it is."""
+        """A number, or a multiple of letters by one, in figures; any other value as it is.
+
+        An angle has its degrees.
+        """
+        if is_sum_with_inverse(tree):
+            return angles_in_figures(tree)
         if of_plain_angles(tree):
             return self._figures_of(tree) or tree
         parts = number_and_letters(tree)
