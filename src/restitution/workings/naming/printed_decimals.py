@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Number,
     Unit,
     is_binary,
+    is_quantity,
     letters,
     unsigned,
     walk,
@@ -91,7 +92,8 @@ class PrintedDecimals:
             own = unsigned(link.right)
             fractions = {abs(value) for value in _fractions(own) if value.denominator > 2}
             self._as_fractions |= fractions
-            self._has_a_vector |= bool(fractions) and _is_in_components(link.right)
+            measured = not is_quantity(link.left, "line_of_centres", "direction")
+            self._has_a_vector |= measured and bool(fractions) and _is_in_components(link.right)
 
     def in_decimals(self, tree: Expression) -> Expression:
         """A tree with decimals for its fractions, but for those that were typed."""
