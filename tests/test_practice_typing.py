@@ -437,9 +437,9 @@ part b
 find line_of_centres"""
 
 
-def test_an_answer_for_which_no_method_is_marked_is_marked_alone() -> None:
+def test_a_line_of_centres_alone_has_its_method() -> None:
     marking = restitution.mark(solution_of(FOUND), "l.o.c. is (i + j)/√2", part="b")
-    assert (marking.marks.earned, marking.marks.of) == (1, 1)
+    assert (marking.marks.earned, marking.marks.of) == (2, 2)
 
 
 def test_a_value_may_stand_before_what_it_is_of() -> None:

@@ -140,6 +140,7 @@ class Names:
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
         squares = any(map(is_root_of_a_sum, walk(entry.claim.right)))
+        squares = squares and not is_coefficient(entry)  # e may be taken for a ratio of speeds
         law = not squares and is_law_of_speeds(entry, judge.base)
         unresolved = not self._is_of_impulse(entry) and is_momentum_of_speeds(entry, judge.base)
         of_deflection = is_deflection_as_angle(entry, judge.base)

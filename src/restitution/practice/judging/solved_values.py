@@ -64,7 +64,8 @@ def goes_on_from_true_line(entry: Entry, judge: JudgedSoFar) -> bool:
     sides = [above.claim.left, above.claim.right]
     sides += [side.left for side in sides if is_binary(side, "/")]
     unknown = judge.base.determined | entry.meanings.keys()
-    long = [side for side in sides if isinstance(side, Binary) and letters(side) & unknown]
+    # A single product, such as u cos α, stands in more than one law.
+    long = [side for side in sides if is_binary(side, "+", "-") and letters(side) & unknown]
     return any(side in long for side in (entry.claim.left, entry.claim.right))
 
 
