@@ -133,8 +133,7 @@ class GrowthReasons:
             between = {"low": least, "first": at_least, "high": most, "last": at_most}
             yield say("derived.from-to", growth=growth_, **between)
             return
-        shown_ = any(end.line == line.number and end.shown for end in self._derivation.items)
-        if shown_ and itself and name not in positive and len(reached) == 1:
+        if itself and name not in positive and len(reached) == 1:
             ((value, at),) = reached
             onward = (line.relation.only[0].sign in UP) == (sense > 0)
             yield say(
