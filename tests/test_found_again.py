@@ -44,6 +44,7 @@ def test_it_is_told(text) -> None:
         "part a\nfind impulse\npart b\nfind energy_lost",
         "part a\ngiven speed(P) = 4\nfind e, impulse",
         "part a\ngiven e = 1/2\nfind impulse\npart b\nfind impulse",
+        "part a\ngiven speed(P) = 4\nfind e\npart b\nfind impulse in terms of e",
     ],
 )
 def test_where_nothing_is_met_again_nothing_is_told(text) -> None:

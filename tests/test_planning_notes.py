@@ -122,6 +122,21 @@ def test_a_negative_coefficient() -> None:
     assert "is impossible, as a coefficient of restitution is not negative." in printed(solution)
 
 
+def test_what_cannot_be_found_beside_what_is_worked_out_says_why() -> None:
+    """*Cannot be found either, as there is no such impact* stood below a speed that was found."""
+    text = (
+        "sphere A: mass m, velocity 3u at 30°\nsphere B: mass m, velocity u at 120°\n"
+        "A hits B: along i\ngiven velocity(A) parallel to velocity(B, 0)\n"
+        "find e, speed(A), energy_lost"
+    )
+    solution, _ = planned(text)
+    assert "√3 u" in printed(solution)
+    assert printed(solution).endswith(
+        "(iii) The kinetic energy lost in the collision cannot be found, as no value of e is "
+        "possible."
+    )
+
+
 def test_what_rests_on_an_impossible_coefficient_names_it() -> None:
     text = (
         "wall W: along i\nwall V: along j\nsphere P: mass 1, velocity 3i - 4j\nP hits W\n"

@@ -8,7 +8,7 @@ from restitution import work
 from restitution.errors import TimeLimitError, require
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
-from restitution.problem import Compare, Given, Part, Problem, Relation, Show, trees_of_step
+from restitution.problem import Compare, Find, Given, Part, Problem, Relation, Show, trees_of_step
 from restitution.solving.asked_letters import in_asked_letters
 from restitution.solving.equations.part import Desk
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
@@ -121,15 +121,18 @@ def _solved_letters(part: PartSolution) -> list[str]:
 def _met_again(part: PartSolution, relations: dict[str, Part]) -> dict[str, str]:
     """Notes of the letters in the answers of a part that had a value in an earlier one only.
 
-    A part in which the facts of the earlier one are given again has its relation too.
+    A part in which the facts of the earlier one are given again has its relation too, and one that
+    is asked in terms of a letter says itself that it has it.
     """
     given = _facts(part.part)
+    steps = (step for step in part.part.steps if isinstance(step, Find | Show))
+    named = {name for step in steps for name in step.in_terms_of or ()}
     met = {name for item in part.items for answer in item.answers for name in answer.letters}
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return {
         letter: f"{letter} was found in part ({relations[letter].label}) from what is given in "
         f"that part alone; {_in_terms_of(part.part.label)} {letter}"
-        for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
+        for letter in sorted(met & relations.keys() - {*named, *_solved_letters(part)})
         if not _facts(relations[letter]) <= given
     }
 

@@ -286,7 +286,12 @@ class Notes:
             if isinstance(item, Range) and item.expression == left:
                 return say("note.none-of-it", letter=self._naming.layout(left))
             shown = isinstance(item, Show)
-            return say("note.none-shown-either" if shown else "note.none-either", items=items)
+            if shown:
+                return say("note.none-shown-either", items=items)
+            if any(self._goes_on(own) for own in self._all if own.premises == note.premises):
+                # Something else could be worked out, though there is no such impact either.
+                return say("note.none-value", items=items, letter=self._naming.layout(left))
+            return say("note.none-either", items=items)
         if isinstance(value, int):
             name = "note.none-above-one" if over else "note.none-below-zero"
             return say(name, items=items, value=equation)

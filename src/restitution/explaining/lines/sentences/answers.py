@@ -89,6 +89,7 @@ SENTENCES: Mapping[str, str] = {
     "note.none-shown": "It cannot be shown that {items}, as {reason}.",
     "note.none-of-it": "No value of {letter} is possible, as shown above.",
     "note.none-shown-either": ("That {items} cannot be shown either, as there is no such impact."),
+    "note.none-value": "{items:capital} cannot be found, as no value of {letter} is possible.",
     "note.none-either": "{items:capital} cannot be found either, as there is no such impact.",
     "note.none-data-above-one": (
         "{items:capital} cannot be found, as a coefficient of restitution is at most 1, and not "
