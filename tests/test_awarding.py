@@ -888,6 +888,27 @@ show along(velocity(A), i) = 2u(2 - k)/(1 + k)
 6 a | rearrange | 5 | v = 2u(2 - k)/(1 + k)
 a: 6 shown along(velocity(A, 1), i) = 2u(2 - k)/(1 + k)
 """,
+    "component-later": """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+part a
+find along(velocity(B), i)
+part b
+find along(velocity(A), i)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | m u = m v + m w
+4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = u/2
+5 a | combine v | 3, 4 | w = 3u/4
+6 a | define component 1 B | axis 1, 2, 5 | along(velocity(B, 1), i) = 3u/4
+7 b | put | 4, 5 | 3u/4 - v = u/2
+8 b | rearrange | 7 | v = u/4
+9 b | define component 1 A | axis 1, 1, 8 | along(velocity(A, 1), i) = u/4
+a: 6 along(velocity(B, 1), i) = 3u/4
+b: 9 along(velocity(A, 1), i) = u/4
+""",
     "same-angle": """
 sphere A: mass m, velocity 4 at alpha
 sphere B: mass m, at rest
@@ -942,6 +963,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("two-values-of-a-letter", "both", 7, "DM1", "DM1", "DM1"),
     ("another-value", "both-reversed", 6, "A1", "A1", "A1"),
     ("another-value-put-in", "heavier-sphere-before-a-wall", 12, "A1", "A1", "A1"),
+    ("another-value-later", "component-later", 7, "M1", "M1", "M1"),
     ("solved-again", "repeated", 11, "", "", ""),
     ("equations-joined", "half-the-angle-out", 4, "M1", "DM1", "M1"),
     ("unknowns-of-equations", "together", 6, "DM1 A1", "DM1 A1", "DM1 A1"),

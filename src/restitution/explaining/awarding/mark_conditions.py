@@ -667,6 +667,9 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-a-letter": lambda work, line: isinstance(subject_of(line), Letter),
     "unknowns": lambda work, line: not subject_of(line) and bool(work.new & letters_of_line(line)),
     "another": lambda work, line: len(_solved_before(work, line)) == 1,
+    "of-an-earlier-part": lambda work, line: (
+        not any(work.part(other) == work.part(line) for other in _solved_before(work, line))
+    ),
     "on-the-way": lambda work, line: line.number not in work.ends,
     "justified": lambda work, line: line.item in work.justify,
     "new-inequality": _new_inequality,

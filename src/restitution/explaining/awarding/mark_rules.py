@@ -109,6 +109,7 @@ RULES: tuple[Rule, ...] = (
     _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
     _rule("two-values-of-a-letter", ("put",), "M", when=("of-one-letter",)),
     _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
+    _rule("another-value-later", ("put",), "M", when=("of-laws", "another", "of-an-earlier-part")),
     _rule("another-value-put-in", ("put",), "A", when=("of-laws", "another", "of-a-letter")),
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
     _rule("unknowns-of-equations", ("solve",), "M A"),
