@@ -36,8 +36,8 @@ CASES: dict[str, tuple[str, tuple[str, ...]]] = {
         SPHERES.format(a="m", b="m", u="u at alpha", w="velocity u at 90° - alpha from -i", e="")
         + "find energy_lost",
         (
-            "= ½m(u cos α − v)(u cos α + v) − ½m(w + u sin α)(w − u sin α) (3)",
-            "= ½(1 − e)m((1 + e)u(cos α + sin α)/2)u(cos α + sin α)",
+            "= ½m(u cos α − v)(u cos α + v) − ½m(w + u sin α)(w − u sin α) (4)",
+            "w + u sin α = (1 + e)u(cos α + sin α)/2",
             "= mu²(1 − e²)(cos α + sin α)²/4",
         ),
     ),

@@ -124,13 +124,13 @@ class _Loss:
         if line is None:
             return None
         changed = tidy(one_fraction(expanded(known.value - b)))
-        sums = (total((tree_of(known.value), negative(second))), tree_of(changed))
-        put, between = (product(_HALF, less, other, own, tree_of(approach)) for own in sums)
+        sums = chain(change, (tree_of(changed), None))
+        factor = self._written((Move("rearrange"),), known.refs, sums)
+        if factor is None:
+            return None
         value = tidy(masses[1].value * (1 - e) * changed * approach / 2)
-        last = chain(
-            self.quantity, (put, None), (between, "rearrange"), (tree_of(value), "rearrange")
-        )
-        line = self._written((Move("put"),), (line, *known.refs), last)
+        last = chain(self.quantity, (tree_of(value), None))
+        line = self._written((Move("put", "factors"),), (line, factor), last)
         if line is not None:
             scene.desk.know(self.quantity, value, (line,))
         return line
