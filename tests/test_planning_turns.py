@@ -622,3 +622,25 @@ def test_the_tangent_after_a_wall_has_the_sign_for_any_coefficient(
     explanation = explain(solve(parse(text)), check=True)
     assert explanation.followed
     assert "2 = (2 + 2e)/(1 − 4e)" in to_text(explanation, 120)
+
+
+@pytest.mark.parametrize(
+    ("wall", "turned", "lines"),
+    [
+        ("45°", "75°", ("and W = 45°", "β = 75° − 45° = 30°")),
+        ("150°", "80°", ("and W = 30°", "β = 80° − 30° = 50°")),
+        ("j + sqrt(3) i", "30°", ("θ = 30° − 30° = 0°", "e = 0")),
+    ],
+)
+def test_a_sphere_set_in_motion_comes_to_a_wall_at_the_angle_of_its_line_of_centres(
+    wall: str, turned: str, lines: tuple[str, ...]
+) -> None:
+    text = (
+        "sphere A: mass 3m, velocity u i\nsphere B: mass 2m, at rest\n"
+        f"wall W: along {wall}\nA hits B: along i\nB hits W\n"
+        f"given deflection(B) = {turned}\nfind e\n"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert not [line for line in lines if line not in shown], shown

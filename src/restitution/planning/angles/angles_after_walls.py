@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     has_root,
     letters,
 )
+from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.turn_lines import Term, by_tangents
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.angles.wall_turns import named_at_a_wall, terms_at_a_wall
@@ -38,9 +39,12 @@ def given_by_the_angle_after(
     turned = given.value
     if scene.unknown(turned) or frame.wall is None:
         return None
-    mark, line = scene.desk.mark(), None
+    mark = scene.desk.mark()
+    line = _by_the_line_of_centres(scene, equation, body, frame, given)
+    if line is not None:
+        return line
     before = named_at_a_wall(scene, body, frame, frame.number - 1)
-    if before is not None and _is_left(scene, turned, before[0].tangent):
+    if before is not None and _is_left(scene, turned, Apply("arctan", before[0].tangent)):
         early, named = before
         inverse = _in_numbers(scene, turned, early)
         after = named_at_a_wall(scene, body, frame, frame.number)
@@ -50,7 +54,7 @@ def given_by_the_angle_after(
             move = Move("define", "sum", frame.number, (body.name,))
             pool = together(given.refs, named, meaning)
             if inverse is not None:
-                line = _in_degrees(scene, move, (*pool, inverse), (whole, turned), (early, late))
+                line = _in_degrees(scene, move, (*pool, inverse), whole, (inverse, late))
             else:
                 line = _by_a_difference(scene, move, pool, (whole, turned), (early, late))
     if line is None:
@@ -58,24 +62,54 @@ def given_by_the_angle_after(
     return line
 
 
-def _is_left(scene: Scene, turned: sp.Expr, tangent: Expression) -> bool:
-    """Whether a deflection leaves an acute angle, once the one with that tangent is taken off."""
-    rest = scene.model.in_data(turned - sp.atan(scene.scalar(tangent)))
+def _by_the_line_of_centres(
+    scene: Scene, equation: GivenEquation, body: Name, frame: Frame, given: Source
+) -> int | None:
+    """The same of a sphere that another one set in motion: its line of centres tells the angle.
+
+    It comes at 45° to the wall, so a deflection of 75° leaves 30°. None of another path.
+    """
+    last = scene.last_event(body.name, frame.number - 1)
+    if not last or frame.wall is None or given.value.free_symbols:
+        return None
+    mark, line = scene.desk.mark(), None
+    early = Quantity("angle", (Quantity("velocity", (body,), last), Name(frame.wall)))
+    number = angle_along_the_centres(scene, early)
+    if number is not None and _is_left(scene, given.value, scene.desk.last_link(number).right):
+        after = named_at_a_wall(scene, body, frame, frame.number)
+        if after is not None:
+            late, meaning = after
+            whole = _as_it_is_given(equation.link.right, given.value)
+            move = Move("define", "sum", frame.number, (body.name,))
+            pool = together(given.refs, meaning, (number,))
+            line = _in_degrees(scene, move, pool, whole, (number, late))
+    if line is None:
+        scene.desk.back(mark)
+    return line
+
+
+def _is_left(scene: Scene, turned: sp.Expr, angle: Expression) -> bool:
+    """Whether a deflection leaves an acute angle, once another angle is taken off."""
+    rest = scene.model.in_data(turned - scene.scalar(angle))
     if scene.unknown(rest):
         return False
-    return scene.model.sign(rest) > 0 > scene.model.sign(rest - sp.pi / 2)
+    return scene.model.sign(rest) >= 0 > scene.model.sign(rest - sp.pi / 2)
 
 
 def _in_numbers(scene: Scene, turned: sp.Expr, early: Term) -> int | None:
     """The line of the angle before in degrees, where that after is better told in degrees as well.
 
-    None where letters stand in them, and where a fraction is the tangent of what is left.
+    None where letters stand in them. Of an angle before that is no number of degrees, None too
+    where a fraction is the tangent of what is left, or the question is not one in decimals.
     """
     angle = scene.desk.meant(early.angle)
-    rest = turned - sp.atan(scene.scalar(early.tangent))
-    if rest.free_symbols or not is_for_a_calculator(scene):
+    before = sp.atan(scene.scalar(early.tangent))
+    rest = turned - before
+    if rest.free_symbols:
         return None
-    if tidy(tangent_of_angle(rest)).is_Rational:
+    if not isinstance(tree_of(tidy(before), angle=True), Degrees) and (
+        not is_for_a_calculator(scene) or tidy(tangent_of_angle(rest)).is_Rational
+    ):
         return None
     assert isinstance(angle, Quantity)
     return angle_line(scene, angle)
@@ -93,12 +127,14 @@ def _in_degrees(
     scene: Scene,
     move: Move,
     pool: tuple[Ref, ...],
-    given: tuple[Expression, sp.Expr],
-    terms: tuple[Term, Term],
+    whole: Expression,
+    angles: tuple[int, Term],
 ) -> int | None:
-    """By both angles in degrees: ``5e/7 = tan(60° − arctan(5/7))``, and what that is exactly."""
-    whole, late = given[0], terms[1]
-    number = next(ref for ref in reversed(pool) if isinstance(ref, int))
+    """By both angles in degrees: ``5e/7 = tan(60° − arctan(5/7))``, and what that is exactly.
+
+    ``angles`` are the line of the one before, and the one after with its tangent.
+    """
+    number, late = angles
     rest: Expression = Binary("-", whole, scene.desk.last_link(number).right)
     relation = chain(late.angle, (rest, None))
     degrees = tree_of(tidy(scene.scalar(rest)), angle=True)
