@@ -322,3 +322,54 @@ find energy_lost/energy(0)
     whole = words.index("total kinetic energy before the impact")
     assert words.index("w = 2u") < whole < words.index("kinetic energy lost =")
     assert words.count("Kinetic energy:") == 1
+
+
+def test_what_a_perfectly_elastic_wall_leaves_stands_under_the_heading_of_its_impact() -> None:
+    text = """
+wall AB: along i
+wall BC: along 70 deg
+sphere P: mass m, velocity u at 40° to AB
+P hits AB: e = 1
+P hits BC: e = 1
+show speed(P) = u
+find angle(velocity(P), AB), deflection(P, 1)
+"""
+    words = printed(text)
+    first, second = (words.index(f"{order} impact: P hits") for order in ("First", "Second"))
+    assert first < words.index("AB is perfectly elastic, so P keeps its speed") < second
+    assert first < words.index("makes the same angle with it after the impact as before") < second
+    assert first < words.index("(iii) angle of deflection of P at the first impact") < second
+    assert second < words.index("BC is perfectly elastic, so P keeps its speed")
+    assert "(i) speed of P after the second impact = u (as required) M1 A1*" in words
+
+
+def test_the_time_of_an_impact_stands_under_its_heading() -> None:
+    text = """
+wall W: along j, through (d, 0)
+sphere A, B: mass m
+sphere A: at (-2d, 0), velocity 3u i
+sphere B: at (0, 0), at rest
+A hits B: along i, e = 1/2
+B hits W: e = 1
+find velocity(A), time(2)
+"""
+    words = printed(text)
+    second = words.index("Second impact: B hits W")
+    assert words.index("First impact: A hits B") < words.index("t₁ = 2d/(3u)") < second
+
+
+def test_a_place_that_the_data_tell_stands_under_the_heading_of_its_impact() -> None:
+    text = """
+wall W: along j, through (b, 0)
+sphere A: mass 2m, at (-c, 0), velocity u i
+sphere B: mass m, at (0, 0), at rest
+given c > 0
+A hits B: along i
+B hits W: e = f
+B hits A: along i
+find time(1), position(B, 2), position(A, 3)
+"""
+    words = printed(text)
+    place = words.index("(ii) position of B at the second impact = b𝐢 B1")
+    assert words.index("Second impact: B hits W") < place
+    assert words.index("(1)") < place < words.index("Third impact")

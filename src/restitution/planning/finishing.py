@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from restitution.explaining.following.premises import (
     with_given_ratios,
     with_identities,
@@ -9,7 +11,24 @@ from restitution.explaining.following.premises import (
     without_idle_ratios,
     without_spare,
 )
-from restitution.explaining.lines.derivation import Derivation, numbers_in
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+    numbers_in,
+)
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Quantity,
+    is_binary,
+    letters,
+    walk,
+)
 from restitution.oracle import Oracle
 from restitution.planning.cases import without_idle
 from restitution.planning.closing.complements import with_complements
@@ -28,12 +47,7 @@ from restitution.planning.writing.direct_slopes import with_direct_slopes
 from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.factors_out import with_factors_out
 from restitution.planning.writing.facts_once import with_distances_once, with_facts_once
-from restitution.planning.writing.gathering import (
-    gathered,
-    numbered_anew,
-    without_idle_arctangents,
-    without_unprinted_letters,
-)
+from restitution.planning.writing.gathering import gathered, numbered_anew
 from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
 from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.one_component import with_one_component
@@ -92,7 +106,7 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
         whole = whole if shorter is whole else pruned(shorter)
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
-    whole = without_idle_arctangents(without_unprinted_letters(whole))
+    whole = _without_idle_arctangents(_without_unprinted_letters(whole))
     return gathered(with_direct_impacts(with_distances_once(with_facts_once(whole))))
 
 
@@ -108,6 +122,62 @@ def pruned(derivation: Derivation) -> Derivation:
             kept.add(number)
             pending += numbers_in(lines[number].premises)
     return numbered_anew(derivation, [line for line in derivation.lines if line.number in kept])
+
+
+def _without_unprinted_letters(derivation: Derivation) -> Derivation:
+    """The same working, in which an angle or a component that no line prints gets no letter."""
+    printed = {
+        name
+        for line in derivation.lines
+        if isinstance(line.relation, Relation) and line.shown != "silent"
+        for tree in trees_of(line.relation)
+        for name in letters(tree)
+    }
+    printed |= {
+        name for end in derivation.items for t in trees_of(end.answer) for name in letters(t)
+    }
+
+    def mended(line: Line) -> Line:
+        match line.relation:
+            case Meaning(
+                letter, Quantity("angle" | "deflection" | "direction" | "along" | "across")
+            ) if letter not in printed:
+                return replace(line, shown="silent")
+        return line
+
+    return replace(derivation, lines=tuple(map(mended, derivation.lines)))
+
+
+def _without_idle_arctangents(derivation: Derivation) -> Derivation:
+    """The same working without the lines that only turn a tangent round on the way to a sum.
+
+    Where the arctangent stands in every line that rests on such a line, nobody needs it.
+    """
+    ends = {item.line for item in derivation.items}
+    ends |= {case.line for case in derivation.cases}
+    ends |= {number for note in derivation.notes for number in note.lines}
+
+    def mended(line: Line) -> Line:
+        match line.move.id, line.relation:
+            case "inverse", Relation(((Link(Letter(), "=", Apply("arctan") as angle),),)):
+                pass
+            case _:
+                return line
+        later = [other for other in derivation.lines if line.number in other.premises]
+        sums = all(_sums_up(line, angle) for line in later)
+        if not later or not sums or line.number in ends:
+            return line
+        return replace(line, shown="silent")
+
+    return replace(derivation, lines=tuple(map(mended, derivation.lines)))
+
+
+def _sums_up(line: Line, angle: Expression) -> bool:
+    """Whether a line is one of a sum of angles, in which an arctangent stands."""
+    if not isinstance(line.relation, Relation):
+        return False
+    trees = (node for tree in trees_of(line.relation) for node in walk(tree))
+    return any(is_binary(node, "+", "-") and angle in walk(node) for node in trees)
 
 
 __all__ = ["finished"]

@@ -20,6 +20,7 @@ from restitution.explaining.data.unused import is_of_open_data, spare_facts
 from restitution.explaining.lines.derivation import (
     Case,
     Derivation,
+    Event,
     ItemEnd,
     Line,
     Link,
@@ -536,7 +537,7 @@ class _Writer:
         event = self.naming.events.get(number or 0)
         if event is None or number == self.heading or len(self.naming.impacts_with(event)) < 2:
             return
-        if line.move.record in _OF_THE_WHOLE:
+        if line.move.record in _OF_THE_WHOLE and not self._is_of_its_impact(line, event):
             return
         again = line.move.id in ("define", "put", "rearrange") and not _is_before(line)
         if number in self.entered and (again or line.move.record == "impulse"):
@@ -546,6 +547,13 @@ class _Writer:
             self.entered.add(event.number)
             self.afresh()
             yield Step("heading", sentences=(self.naming.heading(event),), event=number)
+
+    def _is_of_its_impact(self, line: Line, event: Event) -> bool:
+        """Whether a speed is the one that an impact leaves as it was, or a place that of one."""
+        match line.relation:
+            case Relation(((Link(Quantity("position", _, int(stage))), *_),)):
+                return stage == event.number
+        return self.leads.kept_speed(line, event) is not None
 
     def _is_a_percentage(self, line: Line) -> bool:
         """Whether what a line ends with is asked as a percentage."""

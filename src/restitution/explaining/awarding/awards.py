@@ -48,12 +48,14 @@ from restitution.explaining.awarding.mark_conditions import (
 from restitution.explaining.awarding.mark_rules import (
     CONCLUDING,
     PAIR,
+    STAYS_ZERO,
     Rule,
     marks_of_note,
     rules_of,
 )
 from restitution.explaining.awarding.work import (
     earning_under,
+    grounds,
     has_bound_and_place,
     is_an_equation,
     length,
@@ -197,7 +199,7 @@ class _Awarding:
             elif line.number in self.ends and not self._is_idle(line):
                 end = self.ends[line.number]
                 # What is printed has to be reached by something.
-                lone = end is not None and end.shown and end.part not in earned
+                lone = end is not None and end.shown and not self._has_a_method(line, points)
                 # A principle, or a component, and its value are one mark.
                 one = line.move.id in ("law", "define")
                 own = [e for e in points[line.number] if e != "B" or not one]
@@ -224,6 +226,11 @@ class _Awarding:
         self._with_a_method(points)
         self._with_an_equation(points)
         return self._settled(points)
+
+    def _has_a_method(self, line: Line, points: Mapping[int, Sequence[str]]) -> bool:
+        """Whether a line of its part on which a line rests has earned something."""
+        own = grounds(self, line, lambda other: self.part(other) == self.part(line))
+        return any(points[premise.number] for premise in own)
 
     def _is_only_for(self, law: Line, line: Line) -> bool:
         """Whether a law stands on the way to one line alone."""
@@ -426,31 +433,31 @@ class _Awarding:
         if line.number not in self.ends or line.move.id not in moves or is_opposite(self, line):
             return False
         assert isinstance(line.relation, Relation)
-        seen, open_ = set[int](), list(self.cited(line))
-        while open_:
-            premise = open_.pop()
-            if premise.number in seen or premise.item != line.item:
-                continue
-            seen.add(premise.number)
-            rule = self.rule(premise)
-            if rule is not None and premise.move.id == "define" and "M" in rule.earned(self.style):
-                return len(line.relation.options) == 2
-            open_ += self.cited(premise)
-        return False
+        methods = (
+            premise
+            for premise in grounds(self, line, lambda other: other.item == line.item)
+            if (rule := self.rule(premise)) is not None
+            and premise.move.id == "define"
+            and "M" in rule.earned(self.style)
+        )
+        return any(methods) and len(line.relation.options) == 2
 
     def _is_read_off(self, line: Line, marks: Mapping[int, Marks]) -> bool:
-        """Whether an item's last line rests on the statement alone: nothing above it has earned."""
+        """Whether an item's last line rests on the statement alone: nothing above it has earned.
+
+        That a component stays zero is seen.
+        """
         if line.number not in self.ends:
             return False
-        seen, open_ = set[int](), list(self.cited(line))
-        while open_:
-            premise = open_.pop()
-            if premise.move.id == "law" or marks.get(premise.number):
-                return False
-            if premise.number not in seen:
-                seen.add(premise.number)
-                open_ += self.cited(premise)
-        return True
+
+        def is_law(premise: Line) -> bool:
+            rule = self.rule(premise)
+            return premise.move.id == "law" and (rule is None or rule.name != STAYS_ZERO)
+
+        return not any(
+            is_law(premise) or marks.get(premise.number)
+            for premise in grounds(self, line, lambda _: True)
+        )
 
     def _cut(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """The same, with at most one point more in a part than it has lines.

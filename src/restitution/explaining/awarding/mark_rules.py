@@ -85,10 +85,14 @@ ENERGIES = (
 )
 
 
+STAYS_ZERO = "component-that-stays-zero"
+"""The rule of a component that an impact leaves at nothing."""
+
+
 RULES: tuple[Rule, ...] = (
     # Principles. What an earlier part has used at the same impact is no method again.
     _rule("repeated", ("law",), "", when=("repeated",)),
-    _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
+    _rule(STAYS_ZERO, ("law",), "", ("unchanged",), ("zero",)),
     _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
     _rule(
         "component-at-a-wall", ("law",), "B", ("unchanged", "restitution-wall"), ("wall",), m4="M A"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Protocol
@@ -162,6 +162,17 @@ def earning_under(work: Work, line: Line, points: Mapping[int, Sequence[str]]) -
         if len(below) == 1:
             numbers.append(below[0].number)
     return tuple(numbers)
+
+
+def grounds(work: Work, line: Line, within: Callable[[Line], bool]) -> Iterator[Line]:
+    """The lines on which a line rests, each once; what they rest on only of those ``within``."""
+    seen, open_ = set[int](), list(work.cited(line))
+    while open_:
+        premise = open_.pop()
+        if premise.number not in seen and within(premise):
+            seen.add(premise.number)
+            yield premise
+            open_ += work.cited(premise)
 
 
 def is_like_one_above(work: Work, line: Line) -> bool:

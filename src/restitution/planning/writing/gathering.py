@@ -23,15 +23,12 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
-    Apply,
     AtTime,
-    Expression,
     Letter,
     Name,
     Quantity,
     Unit,
     has_quantity,
-    is_binary,
     letters,
     walk,
 )
@@ -229,6 +226,23 @@ def _in_pairs(derivation: Derivation) -> Derivation:
     return numbered_anew(derivation, order)
 
 
+def _is_kept(line: Line) -> bool:
+    """Whether a line says of a speed, or of an angle to a wall, that an impact does not change it.
+
+    It rests on the coefficient of the impact, and on no component.
+    """
+    kept = line.move.id == "define" and line.move.record in ("speed", "difference")
+    return kept and f"e {line.move.event}" in line.premises
+
+
+def _is_a_time(line: Line) -> bool:
+    """Whether a line gives the time of an impact by the data alone."""
+    match line.relation:
+        case Relation(((Link(Quantity("time", (), int(event)), "="), *_),)):
+            return line.move.id == "define" and line.move.event == event
+    return False
+
+
 def _goes_on(above: Line, line: Line) -> bool:
     """Whether a line only works out the one above it."""
     return line.move.id == "rearrange" and line.premises == (above.number,)
@@ -283,6 +297,8 @@ class _Gathering:
                 self._raise_to_the_start(line)
         for item in self._parts:
             self._raise_an_item(item)
+        for item in self._parts:
+            self._lower_an_item(item)
         return numbered_anew(self._derivation, self._order)
 
     # --- the order of the story -------------------------------------------------------------------
@@ -327,9 +343,11 @@ class _Gathering:
     def _raise_to_its_event(self, line: Line) -> None:
         """Puts a law that a later item needs below the others of its impact, before the next one.
 
-        So no item goes back to an impact that an item above has left.
+        So no item goes back to an impact that an item above has left. The time of an impact, and
+        what a perfectly elastic wall leaves as it was, go with its laws.
         """
-        if line.move.id != "law" or line.item not in self._parts or line.number in self._ended:
+        goes = line.move.id == "law" or _is_a_time(line) or _is_kept(line)
+        if not goes or line.item not in self._parts or line.number in self._ended:
             return
         order, at, event = self._order, self._order.index(line), self._event(line)
         near = [n for n in range(at) if self._place(order[n]) == self._place(line)]
@@ -389,6 +407,32 @@ class _Gathering:
             left = [line for line in order[to:] if line.item != item]
             self._order = [*(line for line in order[:to]), *own, *left]
 
+    def _lower_an_item(self, item: str) -> None:
+        """Puts an end that needs no law of its impact below the laws of those before it.
+
+        So a place at the second impact, which the data tell, stands under the heading of that.
+        """
+        order = self._order
+        end = next(
+            (line for line in order if line.item == item and line.number in self._ended), None
+        )
+        event = None if end is None else end.move.event
+        if end is None or event is None or self._cases:
+            return
+        own = [line for line in order if line.item == item and line.move.event == event]
+        at, numbers = order.index(own[0]), {line.number for line in own}
+        to = at + len(own)
+        if order[at:to] != own or any(
+            line.move.id == "law" for line in order[:to] if line.move.event == event
+        ):
+            return
+        near = [n for n in range(to, len(order)) if self._place(order[n]) == self._place(end)]
+        below = next((n for n in near if (order[n].move.event or 0) >= event), to)
+        between = order[to:below]
+        earlier = any(line.move.id == "law" and line.move.record != "unchanged" for line in between)
+        if earlier and not any(numbers.intersection(line.premises) for line in between):
+            self._order = [*order[:at], *between, *own, *order[below:]]
+
     def _still_holds(self, item: str, event: int) -> bool:
         """Whether an item is about bodies that no later impact changes, or about a time."""
         end = next((end for end in self._derivation.items if end.item == item), None)
@@ -424,7 +468,7 @@ class _Gathering:
                 return stage or None
         if line.move.id in ("law", "define") and line.move.record in _OF_AN_IMPACT:
             return line.move.event
-        return None
+        return line.move.event if _is_kept(line) else None
 
     # --- what belongs together --------------------------------------------------------------------
 
@@ -625,59 +669,3 @@ def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
             for case in derivation.cases
         ),
     )
-
-
-def without_unprinted_letters(derivation: Derivation) -> Derivation:
-    """The same working, in which an angle or a component that no line prints gets no letter."""
-    printed = {
-        name
-        for line in derivation.lines
-        if isinstance(line.relation, Relation) and line.shown != "silent"
-        for tree in trees_of(line.relation)
-        for name in letters(tree)
-    }
-    printed |= {
-        name for end in derivation.items for t in trees_of(end.answer) for name in letters(t)
-    }
-
-    def mended(line: Line) -> Line:
-        match line.relation:
-            case Meaning(
-                letter, Quantity("angle" | "deflection" | "direction" | "along" | "across")
-            ) if letter not in printed:
-                return replace(line, shown="silent")
-        return line
-
-    return replace(derivation, lines=tuple(map(mended, derivation.lines)))
-
-
-def without_idle_arctangents(derivation: Derivation) -> Derivation:
-    """The same working without the lines that only turn a tangent round on the way to a sum.
-
-    Where the arctangent stands in every line that rests on such a line, nobody needs it.
-    """
-    ends = {item.line for item in derivation.items}
-    ends |= {case.line for case in derivation.cases}
-    ends |= {number for note in derivation.notes for number in note.lines}
-
-    def mended(line: Line) -> Line:
-        match line.move.id, line.relation:
-            case "inverse", Relation(((Link(Letter(), "=", Apply("arctan") as angle),),)):
-                pass
-            case _:
-                return line
-        later = [other for other in derivation.lines if line.number in other.premises]
-        sums = all(_sums_up(line, angle) for line in later)
-        if not later or not sums or line.number in ends:
-            return line
-        return replace(line, shown="silent")
-
-    return replace(derivation, lines=tuple(map(mended, derivation.lines)))
-
-
-def _sums_up(line: Line, angle: Expression) -> bool:
-    """Whether a line is one of a sum of angles, in which an arctangent stands."""
-    if not isinstance(line.relation, Relation):
-        return False
-    trees = (node for tree in trees_of(line.relation) for node in walk(tree))
-    return any(is_binary(node, "+", "-") and angle in walk(node) for node in trees)
