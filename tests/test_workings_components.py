@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import pytest
+from workings import printed_with
 
 from restitution.explaining.following.follower import follow
 from restitution.language import parse
@@ -168,3 +169,37 @@ find e
 """
     text = " ".join(to_text(explain(solve(parse(statement + "unknown e")), marks="none")).split())
     assert "Components of 𝐯_P: component of 𝐯_P along 𝐢" in text
+
+
+def test_a_component_of_the_data_is_worked_out_where_its_value_hides_the_speed() -> None:
+    """5u cos α = 4u has a line; u cos α = 4u/5 is seen, and at a wall the law has the sine."""
+    text = """
+sphere A: mass 3m, velocity {}u at alpha
+sphere B: mass m, velocity 13u at beta from -i
+A hits B: along i, e = 1/2
+given cos(alpha) = 4/5, tan(beta) = 5/12
+find velocity(A)
+"""
+    along = "component of 𝐮_A along 𝐢"
+    both = (f"{along} = 5u cos α = 4u", "component of 𝐮_B along 𝐢 = −13u cos β = −12u")
+    printed_with(text.format(5), both)
+    assert along not in printed_with(text.format(""), ())
+    wall = """
+wall W: along i
+sphere P: mass m, velocity 10u at beta to W
+P hits W: e = 1/3
+given cos(beta) = 3/5
+find speed(P)
+"""
+    printed_with(wall, ("away from W = ⅓ × 10u sin β = 8u/3",))
+
+
+def test_a_speed_of_approach_of_one_is_seen_at_a_wall() -> None:
+    text = """
+wall W: along i
+sphere P: mass 2, velocity 4i {} j
+P hits W: e = 1/2
+find velocity(P)
+"""
+    printed_with(text.format("-"), ("component of 𝐯_P along 𝐣 = ½ × 1 = ½ m s⁻¹",))
+    printed_with(text.format("+"), ("component of 𝐯_P along 𝐣 = −½ × 1 = −½ m s⁻¹",))

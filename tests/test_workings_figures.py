@@ -53,7 +53,7 @@ def test_values_of_an_earlier_part_are_put_in_as_they_stand_there() -> None:
         "A hits B: along i, e = 0.54\npart a\nfind speed(A)\npart b\nfind impulse, energy_lost"
     )
     assert "v ≈ 1.148 m s⁻¹" in text
-    assert "w − 1.148 ≈ 3.552 w ≈ 4.700 m s⁻¹" in text
+    assert "w − 1.148 ≈ 3.552 M1 w ≈ 4.700 m s⁻¹" in text
     assert "0.45(6.2 cos 33° − 1.148)" in text
     assert "½ × 0.45((6.2 cos 33°)² − 1.148²) + ½ × 0.3((2.6 cos 58°)² − 4.700²)" in text
 
@@ -698,3 +698,19 @@ def test_a_vector_of_short_decimals_stands_once() -> None:
     assert "= (0.6𝐢 + 5.2𝐣) m s⁻¹" in text
     assert "𝐯_B = (−0.6𝐢 − 1.2𝐣) m s⁻¹" in text
     assert "(26/5)𝐣" not in text
+
+
+def test_a_coefficient_has_the_figures_that_a_later_part_puts_in() -> None:
+    text = """
+wall W: along i
+sphere P: mass 0.2, velocity 9 at 40° to W
+P hits W
+given angle(velocity(P), W) = 25°
+part a
+find e
+part b
+find impulse
+"""
+    whole = printed(text)
+    assert "e = (tan 25°)/tan 40° ≈ 0.5557 ≈ 0.556" in whole
+    assert "Substituting e ≈ 0.5557 from part (a)" in whole

@@ -47,14 +47,16 @@ def goes_into_numbers(derivation: Derivation, ends: Ends, line: Line, value: Exp
     """Whether lines below have in them the value of an answer that only a calculator knows."""
     if not has_plain_angles(value) or letters(value) or ends.of(line) is None:
         return False
-    nodes = {
-        node
+    below = [
+        own
         for own in derivation.lines
         if own.number > line.number
         if own.shown != "silent" and own.move.id not in ("value", "answer")
-        for tree in own.relation.trees
-        for node in walk(tree)
-    }
+    ]
+    later = (own for own in below if ends.part(own) != ends.part(line))
+    if any(own.move.id == "put" and line.number in own.premises for own in later):
+        return True  # it is said with which figures it comes from an earlier part
+    nodes = {node for own in below for tree in own.relation.trees for node in walk(tree)}
     return value in nodes or any(_is_root_of(node, value) for node in nodes)
 
 

@@ -25,10 +25,11 @@ def is_polar(scene: Scene, body: str) -> bool:
     return any(isinstance(node, Polar) for node in walk(link.right))
 
 
-def with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:
+def with_its_ratio(value: sp.Expr, put: sp.Expr, frame: Frame) -> Expression | None:
     """A component as a speed times the number of its cosine, ``(5u/4)(4/5)``, ``5 × 0.8``.
 
-    None where one sees that in what it comes to, as the speed is in letters and no fraction.
+    None where one sees that in what it comes to, as the speed is letters alone (``4u/5``), and at a
+    wall where the speed is in letters and no fraction: its law has the ratio (``5u sin α``).
     """
     ratios = atoms_in(value, sp.sin, sp.cos)
     if len(ratios) != 1 or value.is_Add or put.has(*ratios):
@@ -36,7 +37,8 @@ def with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:
     size = tidy(value / next(iter(ratios)))
     share = tidy(put / size)
     number, rest = size.as_coeff_Mul()
-    if not share.is_Rational or not number.is_Rational or (number.is_Integer and rest != 1):
+    seen = number.is_Integer if frame.wall else abs(number) == 1
+    if not share.is_Rational or not number.is_Rational or (seen and rest != 1):
         return None
     own = product(tree_of(abs(number) * rest), tree_of(abs(share)))
     return negative(own) if (number < 0) != (share < 0) else own

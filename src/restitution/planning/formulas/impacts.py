@@ -66,6 +66,7 @@ from restitution.planning.writing.forms import (
     ZERO,
     difference,
     factors,
+    is_one,
     neat,
     negative,
     product,
@@ -148,7 +149,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return by_scalar_product(scene, tree, initial, frame, direction, form, exact)
         source = _put(scene, Source(value, initial.refs, frame.refs, form))
         if form is None and kind == "along":
-            return replace(source, form=with_its_ratio(value, source.value))
+            return replace(source, form=with_its_ratio(value, source.value, frame))
         return source
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if last not in scene.model.frames:
@@ -557,7 +558,11 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     own, by = _as_first_written(scene, "along", body, frame, source)
     first = product(tree_of(e.value), negative(own))
     last = tree_of(value)
-    if factors(first) == factors(last):
+    if is_one(unsigned(own)) and e.value.is_number and e.value not in (0, 1):
+        # What e is of is seen: −½ × 1.
+        worked = Binary("*", tree_of(e.value), unsigned(own))
+        first = worked if isinstance(own, Negate) else Negate(worked)
+    elif factors(first) == factors(last):
         first = last  # nothing is worked out
     # Where e is 0 nothing is said of the velocity before.
     before_ = () if e.value == 0 else source.whole
