@@ -644,3 +644,44 @@ def test_a_sphere_set_in_motion_comes_to_a_wall_at_the_angle_of_its_line_of_cent
     shown = " ".join(to_text(explanation, 120).split())
     assert explanation.followed
     assert not [line for line in lines if line not in shown], shown
+
+
+@pytest.mark.parametrize(
+    ("first", "turned", "lines"),
+    [
+        ("show speed(B) = sqrt(3)/6 (1 + e) u", "30°", ("θ = 30° + 30° = 60°", "v = √3 u/6")),
+        ("find speed(A)", "45°", ("θ = 45° + 30° = 75°", "tan 75° = (u/2)/(√3(1 − 2e)u/6)")),
+        ("find speed(A)", "80°", ("180° less both its angles", "θ = 180° − 80° − 30° = 70°")),
+    ],
+)
+def test_a_deflection_that_is_given_tells_how_a_sphere_goes_on_along_the_line_of_centres(
+    first: str, turned: str, lines: tuple[str, ...]
+) -> None:
+    """No part of the statement tells in which sense A leaves; a vector product is not asked."""
+    text = (
+        "sphere A: mass m, velocity u i, radius r\nsphere B: mass 2m, at rest, radius r\n"
+        f"A hits B: offset r\npart a\n{first}\npart b\ngiven deflection(A) = {turned}\nfind e\n"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert not [line for line in lines if line not in shown], shown
+
+
+def test_the_sense_after_an_impact_rests_on_the_deflection_that_is_given() -> None:
+    text = (
+        "sphere A: mass m, velocity 4i + 3j\nsphere B: mass 4m, at rest\nA hits B: along i + j\n"
+        "part a\nfind along(velocity(A), i + j)\npart b\ngiven deflection(A) = 45°\nfind e\n"
+    )
+    problem, derivation = planned(text)
+    assert not follow(derivation, oracle_of(problem))
+    for line in derivation.lines:
+        if line.move.record in ("difference", "tan") and "given 1" in line.premises:
+            premises = tuple(ref for ref in line.premises if ref != "given 1")
+            lines = tuple(
+                replace(e, premises=premises) if e is line else e for e in derivation.lines
+            )
+            assert follow(replace(derivation, lines=lines), oracle_of(problem))
+    shown = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "β − θ = 45°" in shown
+    assert "e = 13/112" in shown

@@ -95,6 +95,8 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
     p, q = (_to_the_line(event, state, *own) for state, own in ((one, (a, b)), (other, (c, d))))
     square = _RIGHT in (p, q)
     onward = 1 if square else _sign(step, a * c)
+    if onward is None and one[0] == other[0]:
+        onward = goes_on_by_its_deflection(step, event, one[0])
     if p == q == _NONE and one[0] != other[0]:
         onward = _on_one_line(step, event, (one, a), (other, c))
     beside = 1 if _NONE in (p, q) else _sign(step, b * d)
@@ -110,7 +112,7 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
     elif q == _RIGHT or p == _NONE:
         wider = -1
     elif one[0] == other[0]:
-        wider = _sign(step, c * c - a * a)
+        wider = _sign(step, c * c - a * a) or _turned_away(step, event, one, (a, c))
     else:
         wider = _sign(step, b * b * c * c - d * d * a * a)
     if wider is None:
@@ -119,6 +121,45 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
     if onward == 1:
         return Binary("-", high, low)
     return Binary("+", Binary("-", _STRAIGHT, high), low)
+
+
+def _turned_away(
+    step: Step, event: Event, before: Moving, along: tuple[Quotient, Quotient]
+) -> int | None:
+    """−1 where a body that goes on the same way is slowed along the line of centres, else 1.
+
+    So it is afterwards at the greater angle to that. None where it is open.
+    """
+    a, c = along
+    sense, falls = _sign(step, a), _sign(step, a - c) or _pushed_back(step, event, before)
+    return None if sense is None or falls is None else -sense * falls
+
+
+def goes_on_by_its_deflection(step: Step, event: Event, body: str) -> int | None:
+    """1 where a body goes on in the sense in which it came along the line of centres, else −1.
+
+    The deflection is cited as a number, and the path before has components of which the ratio is
+    one: at 30° to the line and turned by 30°, back from the other sphere, it is at 60°. None where
+    it is open to which side it is turned, and where it is left at right angles to the line.
+    """
+    before, after = ((body, event.number - back) for back in (1, 0))
+    a, b, d = (
+        _component(step, event, kind, state)
+        for kind, state in (("along", before), ("across", before), ("across", after))
+    )
+    if a is None or b is None or d is None or a.vanishes or _sign(step, b * d) != 1:
+        return None
+    sense, push = _sign(step, a), _pushed_back(step, event, before)
+    deflection = Quantity("deflection", (Name(body),), event.number)
+    given = [link.right for link in step.links if (link.left, link.sign) == (deflection, "=")]
+    turned = _number(given[0]) if given else None
+    slope = step.world.expression(step.world.reduced(b / a), step.setting.roles)
+    if sense is None or push is None or turned is None or not slope.is_number:
+        return None
+    whole = abs(math.atan(float(slope))) + sense * push * turned
+    if not 0 < whole < math.pi or math.isclose(whole, math.pi / 2):
+        return None
+    return 1 if whole < math.pi / 2 else -1
 
 
 def _on_one_line(step: Step, event: Event, *sides: tuple[Moving, Quotient]) -> int | None:

@@ -9,10 +9,11 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.explaining.definitions.at_events import WORKED_OUT, nothing
-from restitution.explaining.definitions.common import ZERO
+from restitution.explaining.definitions.common import ZERO, axis_of
 from restitution.explaining.definitions.journeys import places
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.definitions.ties import is_no_product, is_right_angle, tie_of, ties
+from restitution.explaining.definitions.turnings import goes_on_by_its_deflection
 from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import BEARINGS, Event, Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
@@ -169,12 +170,34 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
             step.multiple(worth, difference) is None for difference in (left - right, left + right)
         ):
             return False
-    sign = oriented(step, above)
+    sign = oriented(step, above) or _by_a_deflection(step, link)
     if sign is None and isinstance(link.left, Quantity):
         sign = 1  # the size of an impulse, where the axis points as bodies approach
     if sign is None:
         return False
     return matches_with(step, line, left + right if sign == -1 else left - right, rules, "=")
+
+
+def _by_a_deflection(step: Step, link: Link) -> int | None:
+    """The sign of a tangent's quotient of components, where a deflection that is cited tells it."""
+    event = step.setting.event(step.move.event)
+    match link:
+        case Link(
+            Apply("tan", Quantity("angle", (Quantity("velocity", (Name(body),), stage), line))),
+            "=",
+            Binary("/", across, Quantity("along")),
+        ) if event is not None and not event.wall and stage == event.number:
+            pass
+        case _:
+            return None
+    if line != axis_of(event):
+        return None
+    onward = goes_on_by_its_deflection(step, event, body)
+    early = Quantity("along", (Quantity("velocity", (Name(body),), event.number - 1), line))
+    both = Binary("*", across, step.setting.quantity(early))
+    value = step.rules().put_into(step.world.value(both))
+    sign = None if onward is None or isinstance(value, Plane) else oriented(step, value)
+    return None if sign is None or onward is None else sign * onward
 
 
 def _is_size_of(step: Step, line: Link, quantity: Quantity, value: Quotient) -> bool:

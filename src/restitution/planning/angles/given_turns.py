@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     Unit,
+    is_quantity,
     letters,
 )
 from restitution.planning.angles.known_turns import by_the_known, other_angle
@@ -36,8 +37,9 @@ from restitution.planning.angles.turn_lines import (
     terms_of,
 )
 from restitution.planning.angles.turning import angle_line
+from restitution.planning.axes.offsets import angle_of_an_offset
 from restitution.planning.formulas.named_angles import letter_of
-from restitution.planning.formulas.turns import NONE, Direction, Turn, turns_of
+from restitution.planning.formulas.turns import NONE, Direction, Turn, is_along_a_letter, turns_of
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import (
@@ -52,9 +54,6 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
-
-# Angles of which everybody knows the tangent, or that there is none.
-_AT_SIGHT = (sp.pi / 6, sp.pi / 4, sp.pi / 3, sp.pi / 2)
 
 
 def given_turn(scene: Scene, equation: GivenEquation) -> int | None:
@@ -116,6 +115,9 @@ def _by_angle(scene: Scene, equation: GivenEquation, turn: Turn) -> int | None:
             return line
     if any(map(partial(_is_across, scene), (turn.first, turn.second))):
         return None  # of a right angle there is no tangent
+    open_ = any(is_along_a_letter(scene, side) for side in (turn.first, turn.second))
+    if open_ and tidy(ratio).has(sp.sqrt(2), sp.sqrt(3)):
+        return None  # a component with nested roots is not worked out before e is
     line = write_given_cosine(scene, equation, turn.asked)
     if line is not None:
         return line
@@ -228,8 +230,6 @@ def _one_angle(
     if isinstance(final, Degrees):
         if not 0 <= worth <= sp.pi:
             return None  # an angle between directions is at most 180°
-        if is_by_lines and worth not in _AT_SIGHT and not _has_degrees(data[0]):
-            return None  # the tangent of 75° is no shorter than that of a sum
     elif scene.unknown(worth) or not (isinstance(other, Degrees) or _is_complement(final)):
         return None
     named: tuple[Ref, ...] = ()
@@ -278,23 +278,18 @@ def _is_in_its_letter(scene: Scene, side: Direction, subject: Expression) -> boo
 def _at_whole_degrees(scene: Scene, side: Direction) -> Degrees | None:
     """The angle to the line of centres of a velocity of the data that has whole degrees.
 
-    None of one that goes back along that line: its angle to an axis may be another one.
+    None of one that goes back along an axis: its angle to that may be another one.
     """
     along, across = (sp.sympify(source.value, strict=True) for source in (side.along, side.across))
     if side.velocity.stage or side.angle is not None or along.is_zero is not False:
         return None
     slope = tidy(across / along)
-    if not slope.is_number or not (slope.is_positive or scene.model.sign(along) > 0):
+    forth = slope.is_positive or scene.model.sign(along) > 0
+    if not slope.is_number or not (
+        forth or is_quantity(side.named.arguments[1], "line_of_centres")
+    ):
         return None
     return _in_degrees(sp.atan(abs(slope)))
-
-
-def _has_degrees(side: Direction) -> bool:
-    """Whether the components of a velocity are written with an angle in degrees."""
-    return any(
-        sp.sympify(source.value, strict=True).has(sp.sin, sp.cos)
-        for source in (side.along, side.across)
-    )
 
 
 def _in_degrees(angle: sp.Expr) -> Degrees | None:
@@ -304,8 +299,8 @@ def _in_degrees(angle: sp.Expr) -> Degrees | None:
 
 def _by_components(scene: Scene, side: Direction) -> Direction:
     """A direction of the data with its angle, which lines give by its components."""
+    line = angle_of_an_offset(scene, side.named) or angle_line(scene, side.named)
     _, meaning = letter_of(scene, side.named)
-    line = angle_line(scene, side.named)
     return replace(side, angle=_at_whole_degrees(scene, side), sources=(meaning, line))
 
 
@@ -330,9 +325,9 @@ def _of_components(
     own = formula(scene, side.named)
     relation = chain(Apply("tan", angle), (swept(own.right), None))
     names = {str(symbol) for symbol in sp.sympify(own.value, strict=True).free_symbols}
-    refs = scene.judge.enough(
-        own.move, (line, meaning, *own.refs), relation, (*axis, *background(scene, names))
-    )
+    first = line, meaning, *own.refs
+    refs = scene.judge.enough(own.move, first, relation, (*axis, *background(scene, names)))
+    refs = refs or scene.judge.enough(own.move, together(first, side.sources), relation)
     if refs is None:
         return None
     written = scene.desk.write(own.move, refs, relation)

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.axes.offsets import angle_of_an_offset
+from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.named_angles import letter_known, letter_of, tangent_line
 from restitution.planning.formulas.turns import NONE, Direction, Form, Turn
 from restitution.planning.writing.angle_ratios import given_ratio, range_of, write_other_ratio
@@ -336,7 +337,7 @@ def made_of_angles(
     refs = (*turn.first.sources, *turn.second.sources)
     components = (*turn.first.refs, *turn.second.refs)
     axis = (*_axis(turn), *turn.frame.refs, *meeting(scene))
-    pool = dict.fromkeys((*given, *named, *refs, *components, *axis))
+    pool = dict.fromkeys((*given, *named, *refs, *components, *turn.pushed, *axis))
     premises = premises_of(scene, turn, pool, relation, named)
     return None if premises is None else scene.desk.write(turn.move, premises, relation)
 
@@ -375,10 +376,24 @@ def _term(scene: Scene, side: Direction) -> Term:
         own = formula(scene, side.named)
         if (same := _by_its_letter(scene, side, own.value)) is not None:
             return same
+        own = _of_certain_sense(scene, side, own)
         line, letter = tangent_line(scene, side.named, own, own.move)
         term = Term(Letter(letter), scene.desk.last_link(line).right, (line,))
         return _with_its_first_letter(scene, term, line)
     return term_of_data(scene, side.angle)
+
+
+def _of_certain_sense(scene: Scene, side: Direction, own: Formula) -> Formula:
+    """The tangent of an angle, with what tells its sense where the components do not."""
+    if not side.sources:
+        return own
+    letter, meaning = letter_of(scene, side.named)
+    relation = chain(Apply("tan", Letter(letter)), (swept(own.right), None))
+    names = {str(symbol) for symbol in sp.sympify(own.value, strict=True).free_symbols}
+    refs = together(own.refs, (meaning,))
+    if scene.judge.enough(own.move, refs, relation, background(scene, names)) is not None:
+        return own
+    return replace(own, refs=together(own.refs, side.sources))
 
 
 def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:

@@ -13,7 +13,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import offset_angle
-from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Relation, equality
+from restitution.explaining.lines.derivation import (
+    Fact,
+    Link,
+    Meaning,
+    Move,
+    Relation,
+    equality,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
@@ -253,6 +261,9 @@ def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
     if sine is None or not (sp.asin(tidy(sine)) / sp.pi).is_Rational:
         return None
     assert fact is not None
+    known = scene.desk.known(asked)
+    if known is not None:
+        return next(iter(numbers_in(known.refs)), None)
     letter = free_letter(scene, "angle")
     let = scene.desk.write(Move("let"), (), Meaning(letter, asked, angle="acute"), "silent")
     ratio = scene.judge.write(
@@ -265,7 +276,9 @@ def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
         return None
     value = tree_of(sp.asin(tidy(sine)), angle=True)
     relation = equality(Letter(letter), value)
-    return scene.desk.write(Move("inverse"), (ratio, f"acute: {letter}"), relation, "silent")
+    line = scene.desk.write(Move("inverse"), (ratio, f"acute: {letter}"), relation, "silent")
+    scene.desk.know(asked, scene.scalar(value), (line,))
+    return line
 
 
 __all__ = [

@@ -12,6 +12,8 @@ from fractions import Fraction
 from itertools import count, islice
 from typing import Any, Literal
 
+import sympy as sp
+
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation, numbers_in
 from restitution.expression.tree import (
@@ -55,7 +57,8 @@ class Direction:
     """A velocity, seen from the line of centres.
 
     ``angle`` is its angle to that, where it is told: as none, or a right one, or by the data, which
-    ``told`` names; else ``named`` is the quantity that a working has to name.
+    ``sources`` name; else ``named`` is the quantity that a working has to name, and ``sources`` are
+    what tells its sense along the line of centres, where its components do not.
     """
 
     velocity: Quantity
@@ -141,6 +144,8 @@ def _turns(scene: Scene, asked: Quantity) -> Iterator[Turn]:
         wider = p if q.angle == NONE else q
         if wider.angle is None and scene.desk.known(wider.named) is None:
             return  # the other angle is what is asked
+    if one == other:
+        q = replace(q, sources=q.sources or _of_the_given_sense(scene, asked, frame, p, q))
     move = Move("define", "difference", event, (one,) if one == other else (one, other))
     by_a_unit = one == other and angles.isdisjoint((NONE, RIGHT))
     # An angle that is given, or found, to **i** or **j** is not found again to the line of centres.
@@ -148,6 +153,8 @@ def _turns(scene: Scene, asked: Quantity) -> Iterator[Turn]:
         _is_given_to_a_unit(scene, side.velocity) or _is_found_to_a_unit(scene, side.velocity)
         for side in (p, q)
     )
+    # Of a component that is a letter yet, the sense is open.
+    units_first |= is_along_a_letter(scene, q)
     units_first &= by_a_unit or one != other
     for in_units in (True, False) if units_first else (False, True):
         turn: Turn | None = None
@@ -158,9 +165,66 @@ def _turns(scene: Scene, asked: Quantity) -> Iterator[Turn]:
         elif not in_units:
             form, swapped = _form_of(scene, p, q, one == other)
             sides = (q, p) if swapped else (p, q)
-            turn = None if form is None else Turn(asked, frame, move, *sides, form)
+            # Which way the impulse pushes the body is seen before the laws are used.
+            open_ = one == other and scene.unknown(q.along.value)
+            pushed = _met(scene, frame, one) if open_ else ()
+            turn = None if form is None else Turn(asked, frame, move, *sides, form, pushed)
         if turn is not None:
             yield turn
+    turn = _by_the_given(scene, asked, frame, move, (p, q)) if one == other else None
+    if turn is not None:
+        yield turn
+
+
+def is_along_a_letter(scene: Scene, side: Direction) -> bool:
+    """Whether the component of a velocity along the line of centres is a letter, with no value."""
+    components = (component.symbol for component in scene.model.components.values())
+    return side.along.value in components
+
+
+def _of_the_given_sense(
+    scene: Scene, asked: Quantity, frame: Frame, early: Direction, late: Direction
+) -> tuple[Ref, ...]:
+    """What tells how a sphere goes on by a deflection that is given, where that may be open."""
+    given = given_angle(scene, asked)
+    if given is None or late.angle is not None or not scene.unknown(late.along.value):
+        return ()
+    (body,) = early.velocity.arguments
+    assert isinstance(body, Name)
+    return together(given[1], _met(scene, frame, body.name), early.refs)
+
+
+def _by_the_given(
+    scene: Scene, asked: Quantity, frame: Frame, move: Move, sides: tuple[Direction, Direction]
+) -> Turn | None:
+    """The turn of a sphere by a deflection that is given, which tells how it goes on.
+
+    It came at 30° to the line of centres and is turned by 30°, so it leaves at 60°. None where one
+    of these is no number, and where it is told without the deflection.
+    """
+    early, late = sides
+    given = given_angle(scene, asked)
+    if given is None or early.angle in (NONE, RIGHT) or late.angle is not None:
+        return None
+    if _form_of(scene, early, late, True)[0] is not None:
+        return None
+    turned = scene.scalar(given[0])
+    slope = tidy(early.across.value / early.along.value)
+    fall = tidy(expanded(early.along.value - late.along.value))
+    sense, falls = (scene.model.sign(value) for value in (early.along.value, fall))
+    if not (slope.is_number and turned.is_number and sense and falls):
+        return None
+    before = sp.atan(abs(slope))
+    after = before + sense * falls * turned
+    if not 0 < after < sp.pi or after == sp.pi / 2:
+        return None
+    (body,) = early.velocity.arguments
+    assert isinstance(body, Name)
+    pushed = _met(scene, frame, body.name)
+    if after > sp.pi / 2:
+        return Turn(asked, frame, move, early, late, "rest of sum", pushed)
+    pair = (late, early) if after > before else (early, late)
+    return Turn(asked, frame, move, *pair, "difference", pushed)
 
 
 def _is_given_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
