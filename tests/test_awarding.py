@@ -1546,3 +1546,36 @@ find range of w in terms of v, e
     derivation = awarded(plan(solve(parse(text))))
     own = [line for line in derivation.lines if line.move.id == "sign"]
     assert [written(line.marks) for line in own] == ["DM1 A1", "A1"]
+
+
+def test_a_difference_of_angles_is_no_energy_and_a_right_angle_is_a_condition_once() -> None:
+    turned = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i
+given deflection(A) = 30°, energy_lost = 1/3 energy(0)
+find alpha, e
+"""
+    derivation = awarded(plan(solve(parse(turned))))
+    (energy,) = (e for e in derivation.lines if e.move.record == "energy-lost")
+    assert written(energy.marks) == "M1 A1"
+    across = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass k m, at rest
+A hits B: along i
+given deflection(A) = 45°
+find e in terms of k
+"""
+    assert printed_marks(across) == ["B1", "M1", "M1 A1", "M1 A1", "A1"]
+
+
+def test_a_result_to_be_shown_has_a_method() -> None:
+    text = """
+sphere A: mass m, velocity 2u at alpha
+sphere B: mass 2m, velocity u at alpha from -i
+A hits B: along i
+find velocity(A), velocity(B)
+show velocity(A) parallel to velocity(B)
+"""
+    assert printed_marks(text)[-2:] == ["DM1", "A1*"]

@@ -310,7 +310,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
             ["Let v and w be the components of the velocities of A and B", "Since v < 0:"],
         ),
         ("heavier-sphere-before-a-wall", ["So B will hit W, as required."]),
-        ("three-in-line", ["A and B do not collide again if the gap between them along the"]),
+        ("three-in-line", ["A is behind B, so they do not collide again if the"]),
         ("corner-of-60", ["It is given that 𝐯_P is perpendicular to BC. BC is parallel to"]),
         ("turned-by-a-wall", ["the angle of deflection of P is 90°", "From (1): tan²α ≥ 1"]),
         ("find-the-blow", ["Comparing components: J sin θ = 1.5", "Dividing (1) by (2):"]),

@@ -83,7 +83,7 @@ SAYS = {
             "given A and B do not collide again\nfind range of e"
         ),
         [
-            "A and B do not collide again if the gap between them along the line of centres does",
+            "A is behind B, so they do not collide again if the component of A is at most that",
             "² ≤",
         ],
     ),
@@ -93,7 +93,7 @@ SAYS = {
             "A hits B: along i, e = 1/2\nB hits W: e = f\ngiven f > 2/3\nshow A and B collide again"
         ),
         [
-            "A and B collide again if the gap between them along the line of centres closes.",
+            "A is behind B, so they collide again if the component of A is greater than that of B.",
             "as f > ⅔",
         ],
     ),

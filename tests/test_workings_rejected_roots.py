@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from workings import printed_with
 
 from restitution.language import parse
 from restitution.solving import solve
@@ -198,3 +199,16 @@ find n
     working = explain(solve(parse(statement)), marks="none", check=True)
     assert not working.warnings
     assert "w = u, as w = −u does not satisfy (2)" in " ".join(to_text(working).split())
+
+
+def test_two_lines_of_centres_are_both_possible_and_each_case_names_what_it_puts_in() -> None:
+    text = """
+sphere A: mass 3, velocity 2i + 4j
+sphere B: mass 2, velocity -3i - j
+A hits B: e = 1/2
+given velocity(B) parallel to j
+find velocity(A), line_of_centres
+"""
+    reason = "(both are possible, as the spheres approach each other in each)"
+    first, second = (f"If s = (5 {sign} 3√17)/4: Substituting for s in (1):" for sign in "+−")
+    printed_with(text, (reason, first, second))

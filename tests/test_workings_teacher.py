@@ -517,7 +517,7 @@ find range of e
 """,
         [
             "(b)",
-            "A and B collide again if the gap between them along the line of centres closes.",
+            "A is behind B, so they collide again if the component of A is greater than that of B.",
             "(2 − 3e)u/5 > −(1 + e)u/5 in any case, as e ≤ 1.",
             "⅔ < e ≤ 1",
         ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from workings import printed_with
 
 from restitution.language import parse
 from restitution.solving import solve
@@ -110,3 +111,13 @@ def test_who_starts_at_one_point_collides_at_once(one: str, other: str, place: s
     )
     assert "P and Q start at the same point, so they collide at once: t = 0" in text
     assert "-coordinate of" not in text
+
+
+def test_a_distance_is_seen_where_the_time_is_its_quotient_by_the_speed() -> None:
+    text = """
+wall V: along j, through (0, 0)
+sphere P: at (5, 3), velocity -3i - 2j
+P hits V: e = 1/2
+find time(1)
+"""
+    printed_with(text, ("t = (5 − 0)/3 = 5/3 ≈ 1.67 s",))

@@ -48,7 +48,7 @@ from restitution.workings.naming.sums_in_degrees import (
     degrees_of,
     is_sum_of_inverses_of_roots,
 )
-from restitution.workings.reasons.possible_roots import why_possible
+from restitution.workings.reasons.possible_roots import cases_together, why_possible
 from restitution.workings.rendering.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.
@@ -196,6 +196,22 @@ class Rows(Chains):
             excluded = conditioned or self._is_refused(line)
             if are_values(line.relation) and not excluded and line.move.record != "either-side":
                 yield why_possible(self._derivation, self._naming, line)
+        if end is None and self._parts_the_cases(line):
+            yield why_possible(self._derivation, self._naming, line)
+
+    def _parts_the_cases(self, line: Line) -> bool:
+        """Whether a line that is no answer has values of a letter that lead to several answers.
+
+        Not where a sentence below the last of them tells what they are together.
+        """
+        part = self._derivation.asked.get(line.item or "")
+        return (
+            any(case.line == line.number for case in self._derivation.cases)
+            and isinstance(line.relation, Relation)
+            and are_values(line.relation)
+            and not self._is_refused(line)
+            and cases_together(self._derivation, self._naming, self._measures, part) is None
+        )
 
     def _is_refused(self, line: Line) -> bool:
         """Whether none of the values in a line can be."""

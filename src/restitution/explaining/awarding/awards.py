@@ -6,8 +6,8 @@ that fits a line says what it earns, in each style. Then, part by part:
 
 - An item's last line has an A1, or a B1 where nothing of the part has been earned above it, or the
   line is read off the data; where nothing else of a part earns and it has several lines, its first
-  one is M1. Where the statement prints the result it is an A1*, which never follows through. What
-  the data give outright earns nothing where something else does.
+  one is M1. Where the statement prints the result it is an A1*, which never follows through, and
+  has a method among its steps. What the data give outright earns nothing where something else does.
 - Of three or more methods one below the other every second one is A1, if its line has a value; in
   place of a formula that is quoted, the value above it has the A1.
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
@@ -53,11 +53,11 @@ from restitution.explaining.awarding.mark_rules import (
     marks_of_note,
     rules_of,
 )
+from restitution.explaining.awarding.methods_added import with_methods
 from restitution.explaining.awarding.work import (
     earning_under,
     grounds,
     has_bound_and_place,
-    is_an_equation,
     length,
     says_a_value_again,
     single_sides,
@@ -223,8 +223,7 @@ class _Awarding:
                             points[other.number] = []
             if points[line.number]:
                 earned.add(self.part(line))
-        self._with_a_method(points)
-        self._with_an_equation(points)
+        with_methods(self, points)
         return self._settled(points)
 
     def _has_a_method(self, line: Line, points: Mapping[int, Sequence[str]]) -> bool:
@@ -269,59 +268,6 @@ class _Awarding:
             return False
         rule = self.rule(last)
         return rule is None or not {"A", "B", "V"} & set(rule.earned(self.style).split())
-
-    def _with_a_method(self, points: dict[int, list[str]]) -> None:
-        """A method for the first line of a part of which nothing but its one answer has earned.
-
-        A value that is read off in one line has its B1 alone.
-        """
-        for part in dict.fromkeys(self.parts.values()):
-            own = [line for line in self.derivation.lines if self.part(line) == part]
-            marked = [line for line in own if points[line.number]]
-            if len(marked) != 1 or points[marked[0].number] != ["A"]:
-                continue
-            under = lines_under(self.derivation, marked[0].number)
-            steps = [
-                line
-                for line in own
-                if line.number in under
-                and line.shown != "silent"
-                and isinstance(line.relation, Relation)
-                and any(self.cited(line))
-            ]
-            if len(steps) > 1:
-                points[steps[0].number].append("M")
-
-    def _with_an_equation(self, points: dict[int, list[str]]) -> None:
-        """A method for values put into an equation that stood in an earlier part.
-
-        Only where nothing else is a method above the answer that is solved for from it.
-        """
-        methods: set[str | None] = set()
-        for line in self.derivation.lines:
-            part = self.part(line)
-            if line.number in self.ends and points[line.number] == ["A"] and part not in methods:
-                under = lines_under(self.derivation, line.number)
-                equations = (
-                    own
-                    for own in self.derivation.lines
-                    if own.number in under and self.part(own) == part and self._is_closed(own)
-                )
-                first = next(equations, None)
-                if first is not None:
-                    points[first.number].append("M")
-            if "M" in points[line.number]:
-                methods.add(part)
-
-    def _is_closed(self, line: Line) -> bool:
-        """Whether values are put into an equation of an earlier part that is no value of one."""
-        if line.shown == "silent" or not is_an_equation(line):
-            return False
-        if line.move.id != "put":
-            rule = self.rule(line)
-            return rule is not None and rule.name == "repeated"
-        earlier = (own for own in self.cited(line) if self.part(own) != self.part(line))
-        return any(is_an_equation(own) for own in earlier)
 
     def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
         """The mark of an item that a fact gives goes to the line that had it in letters."""

@@ -349,7 +349,7 @@ def _of_a_product(work: Work, line: Line) -> bool:
     Or on an angle of that item, which is a right one.
     """
     cited = tuple(work.cited(line))
-    if any(is_quantity(subject_of(e), "angle") and e.item == line.item for e in cited):
+    if any(_of_angles(work, e) and e.item == line.item for e in cited):
         return True
     further = [own for line in cited if line.move.id == "put" for own in work.cited(line)]
     if any(own.move.record == "product" and own.item == line.item for own in (*cited, *further)):
@@ -368,10 +368,15 @@ def _in_letters(work: Work, line: Line) -> bool:
 
 
 def _of_angles(work: Work, line: Line) -> bool:
-    subject = subject_of(line)
+    """Whether a line is about an angle, or about how much two of them differ: β − α = 30°."""
+    if isinstance(line.relation, Meaning):
+        return False
+    subject = line.relation.options[0][0].left
+    while isinstance(subject, Binary):
+        subject = subject.left
     if isinstance(subject, Letter):
         meaning = work.derivation.meanings.get(subject.name)
-        subject = None if meaning is None else meaning.quantity
+        subject = subject if meaning is None else meaning.quantity
     return is_quantity(subject, *UNSIGNED_ANGLES)
 
 
@@ -634,7 +639,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "in-letters": _in_letters,
     "at-once": lambda work, line: (
         isinstance(line.relation, Relation)
-        and not isinstance(line.relation.options[0][0].right, Binary)
+        and not any(isinstance(tree, Binary) for tree in line.relation.trees[:2])
     ),
     "place-of-facts": _place_of_facts,
     "another-chord": another_chord,

@@ -41,6 +41,7 @@ class Work(Protocol):
     ends: dict[int, ItemEnd | None]
     shown: set[int]
     walls: dict[int, bool]
+    parts: Mapping[str, str | None]
     new: frozenset[str]
     solved: dict[int, frozenset[int | None]]
     """The events whose principles a line solves, of the lines that were asked of."""

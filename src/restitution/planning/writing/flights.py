@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Ref, Relation
-from restitution.expression.tree import Binary, Expression, Negate, Unit, has_quantity, letters
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    Unit,
+    has_quantity,
+    letters,
+)
 from restitution.planning.writing.desk import Source, chain, link, together
 from restitution.planning.writing.forms import (
     ONE,
+    ZERO,
     difference,
     negative,
     product,
@@ -66,13 +76,17 @@ def gradient(
 def time_relation(
     quantity: Expression, tree: Expression, value: sp.Expr, pace: sp.Expr, in_degrees: bool = False
 ) -> Relation:
-    """``t = d/v = …``: what is divided by 1 is still seen to be divided.
+    """``t = d/v = …``: what is divided by 1 is still seen to be divided, and so is (3 − 0)/4.
 
     ``in_degrees`` tells that the tree has the speed by an angle of the data.
     """
     if value.is_number and abs(pace) == 1 and not in_degrees:
         tree = Binary("/", swept(tree), ONE)
         return Relation(((link(quantity, tree), link(tree, tree_of(value), by="rearrange")),))
+    match swept(tree):
+        case Binary("/", Number() as distance, Number()) as quotient if quotient == tree_of(value):
+            tree = replace(quotient, left=Binary("-", distance, ZERO))
+            return Relation(((link(quantity, tree), link(tree, quotient, by="rearrange")),))
     return chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
 
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation, equality
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Binary, Letter, Quantity, Unit
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.tree import Binary, Letter, Name, Quantity, Unit
 from restitution.problem import Meets, Show
 from restitution.render.layout import Layout
 from restitution.workings.naming.ends import Ends
@@ -21,6 +22,13 @@ _MEETINGS = {
     ("letter", "away"): "condition.away-if",
     ("meeting", "towards"): "meeting.towards",
     ("meeting", "away"): "meeting.away",
+}
+# The same where it is known who is behind.
+_BEHIND: dict[SentenceId, SentenceId] = {
+    "collide-again.if": "collide-again.if-behind",
+    "collide-again.unless": "collide-again.unless-behind",
+    "meeting.collide": "meeting.collide-behind",
+    "meeting.apart": "meeting.apart-behind",
 }
 
 
@@ -43,11 +51,33 @@ def condition_of(
     met = [event for event in naming.events.values() if set(event.bodies) == {one, other}]
     if not met:
         return None
+    name: SentenceId
     if inequality:
         name = "collide-again.if" if relation.happens else "collide-again.unless"
     else:
         name = "meeting.collide" if relation.happens else "meeting.apart"
+    order = _in_order(naming, met[-1].number)
+    if order is not None:
+        behind, ahead, axis = order
+        slots = {"behind": behind, "ahead": ahead, "axis": naming.layout(axis)}
+        return say(_BEHIND[name], **slots)
     return say(name, one=one, other=other)
+
+
+def _in_order(naming: Naming, number: int) -> tuple[str, str, Unit] | None:
+    """Who is behind and who ahead in the direction of **i** or **j** when two spheres have met.
+
+    None where no fact tells along **i** or **j** who came to whom in that impact.
+    """
+    fact = naming.derivation.fact(" ".join(("approach", str(number))))
+    match None if fact is None else fact.relation.only[0]:
+        case Link(
+            Quantity("along", (Quantity("velocity", (Name(one),)), Unit() as axis)),
+            ">" | "<" as sign,
+            Quantity("along", (Quantity("velocity", (Name(other),)), _)),
+        ):
+            return (one, other, axis) if sign == ">" else (other, one, axis)
+    return None
 
 
 def passing_of(relation: Meets, fact: Fact, naming: Naming) -> Sentence | None:

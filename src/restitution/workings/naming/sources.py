@@ -447,7 +447,8 @@ class Sources:
         # Vectors that are compared are both seen.
         compared = not facts and is_multiple(line.relation)
         numbered = () if target is None or target == above or compared else (target,)
-        last = values == (above,)
+        # What is put in of several cases is named: its case stands between.
+        last = values == (above,) and above != self._cases.get(line.number)
         if not (numbered or letters or facts):
             return None
         return Source("put", numbered, letters, facts, values=values, last=last)

@@ -148,6 +148,14 @@ SENTENCES: Mapping[str, str] = {
         "{one} and {other} do not collide again if the gap between them along the line of "
         "centres does not close:"
     ),
+    "collide-again.if-behind": (
+        "In the direction of {axis}, {behind} is behind {ahead}, so they collide again if the "
+        "component of {behind} is greater than that of {ahead}:"
+    ),
+    "collide-again.unless-behind": (
+        "In the direction of {axis}, {behind} is behind {ahead}, so they do not collide again if "
+        "the component of {behind} is at most that of {ahead}:"
+    ),
     "collide-again.why": (
         "After an impact the spheres separate. They meet again only if the one behind, after "
         "what happened in between, moves faster along the line than the one in front: it is "
@@ -161,6 +169,14 @@ SENTENCES: Mapping[str, str] = {
     "meeting.apart": (
         "{one} and {other} do not collide again if the gap between them along the line of "
         "centres does not close."
+    ),
+    "meeting.collide-behind": (
+        "In the direction of {axis}, {behind} is behind {ahead}, so they collide again if the "
+        "component of {behind} is greater than that of {ahead}."
+    ),
+    "meeting.apart-behind": (
+        "In the direction of {axis}, {behind} is behind {ahead}, so they do not collide again if "
+        "the component of {behind} is at most that of {ahead}."
     ),
     "condition.towards-if": (
         "{body} hits {wall}{again} if it moves towards {wall}, that is, if {told}:"

@@ -22,6 +22,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.positive-part": "{velocity} has a positive {axis}-component",
     "derived.gained": "kinetic energy is gained",
     "derived.both-possible": "both are possible",
+    "derived.both-approach": "both are possible, as the spheres approach each other in each",
     "derived.both-positive": "both are possible, as both are positive",
     "derived.both-coefficients": "both are possible, as both are from 0 to 1",
     "derived.both-give": "both are possible: {equation} gives {values}, and {bound}",
