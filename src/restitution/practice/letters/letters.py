@@ -491,8 +491,8 @@ class _Search(LettersOfLines):
 
     def reused(self) -> list[Interpretation]:
         """The interpretations where letters come again with another meaning, at one line or two."""
-        interpretations: list[Interpretation] = []
-        breaks: tuple[_Break, ...] = ()
+        breaks = tuple(_Break(number, _HEADING, _HEADING) for number in self.becoming_vectors())
+        interpretations = self.interpretations(breaks) if breaks else []
         for _ in range(2):
             if not self.failing or len(self.around.events) < 2:
                 break

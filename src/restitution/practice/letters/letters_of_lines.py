@@ -134,6 +134,23 @@ class LettersOfLines:
                         if tree is not None:
                             yield name, (line.number, tree)
 
+    def becoming_vectors(self) -> Iterator[int]:
+        """The lines that give a vector to a letter which had a number: ``v_B = 2``, then ``3i``."""
+        natures: dict[str, bool] = {}
+        for line in self.lines:
+            frame = Frame(None, self.meanings(line.number))
+            for link, names in self.items[line.number]:
+                defined = _defining(link.readings[0], next(iter(names)))
+                if len(names) > 1 or defined is None or link.supposed:
+                    continue
+                (name,) = names
+                value = self.around.tester.value(defined, {}, frame)
+                if value is not None and " " not in name:
+                    vector = isinstance(value, Vector)
+                    if vector and natures.get(name) is False:
+                        yield line.number
+                    natures[name] = vector
+
     def _vanishing(self) -> Iterator[str]:
         """Letters of which a line says that they are zero: ``v = 0``, ``2(-w) = 2 × 0``."""
         for line in self.lines:

@@ -470,12 +470,13 @@ class Sides:
             sides = chain[0].left, chain[-1].right
             for named, value in (sides, sides[::-1]):
                 tree = exchanged(named, {Letter(name): meant for name, meant in meanings.items()})
-                if not any(
-                    self._names(quantity, velocity, {}, line) for quantity in quantities_in(tree)
-                ):
+                own = list(quantities_in(tree))
+                speed = is_quantity(tree, "speed") and self._base.is_in_one_line
+                own = [replace(one, kind="velocity") for one in own] if speed else own
+                if not any(self._names(quantity, velocity, {}, line) for quantity in own):
                     continue
                 parts = [tree]
-                if not self._is_component(tree):
+                if not (speed or self._is_component(tree)):
                     parts = list(self._known_parts(tree, value, line))
                 elif not self._is_value(value, meanings, line):
                     continue

@@ -176,6 +176,7 @@ class Chains:
         self.statements = Statements()
         self.links: list[Link] = []
         self.label: Token | None = None
+        self.way: Token | None = None
         self.power: tuple[Side, ...] = ()
         self.declares = self.supposes = False
         self.defines = False

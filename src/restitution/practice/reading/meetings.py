@@ -11,9 +11,10 @@ _WALL = r"(?:hitting\s+|it\s+hits\s+|the\s+impact\s+with\s+)?(?:the\s+)?wall"
 _HAS = r"(?:now\s+)?(?:has|moves\s+(?:at|with)|goes\s+(?:at|with)|is)"
 _SPEED = r"(?:a\s+|the\s+)?(?:speed\s+)?(?:of\s+)?"
 HAS_AFTER = re.compile(
-    rf"(?:^|(?<=[,;]))\s*(?:so\s+|then\s+)?(?:after\s+{_WALL}\s*[:,]?\s*(?:([A-Z])\s+{_HAS}\s+)?"
+    rf"(?:^|(?<=[,;]))\s*(?:so\s+|then\s+)?"
+    rf"(?:after\s+{_WALL}\s*[:,]?\s*(?:([A-Z])\s*(?:{_HAS}\s+|[:=]\s*))?"
     rf"|([A-Z])\s+after\s+{_WALL}\s*[:=]?\s*(?:{_HAS}\s+)?){_SPEED}"
-    r"(?=[\d(]*[\d/.]*[a-z(]*(?:\d|[ue]\b))(?!\S*[ij]\b)(?![^,;<>=]*,\s*[\d√])(?![^,;]*[<>])"
+    r"(?=-?\s*[\d(]*[\d/.]*[a-z(]*(?:\d|[ue]\b))(?!\S*[ij]\b)(?![^,;<>=]*,\s*[\d√])(?![^,;]*[<>])"
 )
 MEETS_IF = re.compile(
     r"^\s*(?:(?:so|they|will|only|again|it|and|[A-Z])\s+)*"
@@ -24,7 +25,7 @@ MEETS_IF = re.compile(
 
 
 def has_after(match: re.Match[str], problem: Problem) -> str:
-    """The speed of a sphere behind a wall, where all move along one line."""
+    """The velocity of a sphere behind a wall, where all move along one line."""
     struck = {
         event.first
         for event in problem.events
@@ -32,7 +33,7 @@ def has_after(match: re.Match[str], problem: Problem) -> str:
     }
     name = match[1] or match[2] or (next(iter(struck)) if len(struck) == 1 else "")
     known = name in struck and _moves_in_one_line(problem)
-    return f" speed of {name} after wall = " if known else match[0]
+    return f" velocity of {name} after wall = " if known else match[0]
 
 
 def _moves_in_one_line(problem: Problem) -> bool:

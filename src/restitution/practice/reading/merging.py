@@ -30,7 +30,7 @@ _BEFORE_AXIS = frozenset(
 )
 _BEHIND_AXIS = frozenset(
     ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")
-    + ("distance",)
+    + ("distance", "velocity", "vel", "speed", "momentum")
 )
 _STARTS = frozenset(
     ("total", "overall", "combined", "resultant", "relative", "rel", "horizontal", "vertical")
@@ -49,6 +49,10 @@ _ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "
 # What may be along a vector that is written out, and the words before one.
 _ALONG = frozenset(("component", "velocity", "speed", "momentum"))
 _BEFORE_VECTOR = frozenset(("along", "to", "of", "direction"))
+# The words around a time.
+_BEFORE_TIME = frozenset(("after", "at", "in", "time", "apart"))
+_SECONDS = frozenset(("s", "sec", "secs", "second", "seconds"))
+_LATER = frozenset(("later", "after", "afterwards"))
 _KINDS = {"(": "(", ")": ")", "-": "-", "+": "+", "number": "n", "unit": "i"}
 _OF = frozenset(
     ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
@@ -99,7 +103,7 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
                 first -= 1
             end = _with_letter(tokens, end)
             merged.append(_phrase(tokens[first:end], text))
-            place = end
+            place = _behind_time(tokens, place, end)
             continue
         token = tokens[place]
         merged.append(_prose_name(merged, token, tokens[place + 1 : place + 2]))
@@ -127,11 +131,42 @@ def _is_aside(tokens: Sequence[Token], place: int) -> bool:
     return not signs and any(token.kind == "word" for token in inside)
 
 
+def _behind_time(tokens: Sequence[Token], place: int, end: int) -> int:
+    """The place behind the time at which a distance is told: ``distance after 3 secs = 2.12``.
+
+    That of the phrase's own end where no time, with a value behind it, stands there.
+    """
+    if "distance" not in {HEADS.get(token.word) for token in tokens[place:end]}:
+        return end
+    behind = end
+    while behind < len(tokens) and tokens[behind].word in _BEFORE_TIME:
+        behind += 1
+    lettered = [token.name for token in tokens[behind : behind + 2]] == ["t", "="]
+    behind += 2 if lettered else 0
+    if behind >= len(tokens) or tokens[behind].kind != "number":
+        return end
+    behind += 1
+    seconds = behind < len(tokens) and tokens[behind].word in _SECONDS
+    behind += 1 if seconds else 0
+    while seconds and behind < len(tokens) and tokens[behind].word in _LATER:
+        behind += 1
+    stops = behind < len(tokens) and tokens[behind].kind in ("relation", ":")
+    return behind if stops and (seconds or lettered) else end
+
+
 def _with_letter(tokens: Sequence[Token], end: int) -> int:
-    """Where a phrase ends that goes on with a letter: ``x component of v = 3``."""
+    """Where a phrase ends that goes on with a letter: ``x component of v = 3``.
+
+    The letter of a direction says along what it is: ``approach along n = 3``.
+    """
     kinds = [token.kind for token in tokens[end : end + 3]]
     if kinds == ["word", "letter", "relation"] and tokens[end].word == "of":
         return end + 2
+    words = [token.word for token in tokens[end - 1 : end + 1]]
+    behind = end + (1 if words[1:] == ["to"] else 0)
+    kinds = [token.kind for token in tokens[behind : behind + 2]]
+    if kinds == ["letter", "relation"] and words[0] in _WAYS - {"in"}:
+        return behind + 1 if tokens[behind].name == "n" else end
     return end
 
 
@@ -407,6 +442,11 @@ def _is_sum_of_energy(tokens: Sequence[Token], place: int) -> bool:
 
 
 def _has_axis_behind(tokens: Sequence[Token], place: int) -> bool:
+    """Whether an axis has its quantity behind it: ``y velocity``; ``mass x velocity`` has not."""
+    before = tokens[place - 1] if place else None
+    multiplied = before is not None and (before.kind in _CLOSING or before.word in HEADS)
+    if multiplied and tokens[place].kind != "unit":
+        return False
     behind = place + 1
     if behind < len(tokens) and tokens[behind].kind == "-":
         behind += 1

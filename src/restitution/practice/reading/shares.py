@@ -6,6 +6,8 @@ import re
 
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import Expression, Quantity, is_binary, letters, walk
+from restitution.practice.reading.features import words_of
+from restitution.practice.reading.vocabulary import DIRECTIONS
 from restitution.problem import Find, Problem, trees_of_step
 
 _SO = r"(?:so|hence|therefore|thus|∴|→|⇒|=>)"
@@ -167,9 +169,11 @@ def speeds_of_bodies(match: re.Match[str], problem: Problem) -> str:
 
 
 def root_of_a_body(match: re.Match[str], problem: Problem) -> str:
-    """The speed that a root behind the name of a sphere is: ``A √(4 + 9)``."""
+    """The speed that a root behind the name of a sphere is: ``A √(4 + 9)``, not ``perp: A √2``."""
     spheres = {sphere.name for sphere in problem.spheres}
-    return f"{match[1]}speed of {match[2]} = " if match[2] in spheres else match[0]
+    resolved = not DIRECTIONS.keys().isdisjoint(words_of(match.string[: match.start()].lower()))
+    known = match[2] in spheres and not resolved
+    return f"{match[1]}speed of {match[2]} = " if known else match[0]
 
 
 def at_a_wall(match: re.Match[str], problem: Problem) -> str:

@@ -63,6 +63,7 @@ _INFERRING = frozenset(("so", "hence", "therefore", "thus", "giving", "gives", "
 _AT_THE_END = re.compile(r"\s*(?:$|[,;.)]|(?:to|with|from|above|below)\b)")
 _GIVING = frozenset(("gives", "giving", "get", "leaves", "leaving", "->", ":"))
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
+_SIZES = frozenset(("the speed", "the size", "the magnitude"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 _OF_NUMBERS = frozenset(("number", "+", "-", "*", "/", "dot", "times", "^", "(", ")"))
 
@@ -75,6 +76,13 @@ def _ends_in_a_way(label: Token) -> bool:
 def _is_of_parts(label: Token) -> bool:
     """Whether a label names components, whose speed is no value of them."""
     return {HEADS[word] for word in label.name.split() if word in HEADS} == {"component"}
+
+
+def _is_way(label: Sequence[str]) -> bool:
+    """Whether the words of a label name a way and perhaps a moment: ``perp``, ``along before``."""
+    words = set(label) - {"the", "of"}
+    ways = {word for word, head in HEADS.items() if head == "component"} | STAGES.keys() | _WAYS
+    return bool(words & _WAYS) and words <= ways
 
 
 def _is_power_of_phrase(segment: Segment) -> bool:
@@ -184,10 +192,14 @@ class _Reader(Chains):
             token.kind in (*_OPERANDS, "|", "phrase", "relation") for token in segment.tokens
         ):
             return
+        relative = not {"rel", "relative"}.isdisjoint(self.last_label.split())
+        if relative and segment.tokens[0].name in _SIZES:
+            own = replace(segment.tokens[0], name="relative speed")
+            segment = replace(segment, tokens=(own, *segment.tokens[1:]))
         if segment.is_phrase and self._is_label(segment, following):
             if "only" in following[0].before and not has_head(segment.tokens[0]):
                 return  # along only: ½(2)(16 - 4) = 12
-            self.label, self.before = segment.tokens[0], ()
+            self.label, self.before = self._of_its_way(segment.tokens[0]), ()
             self.of_law = bool(words & _NAMES_OF_LAWS)
             return
         if _is_power_of_phrase(segment) and self._is_label(segment, following):
@@ -201,6 +213,12 @@ class _Reader(Chains):
         label = self._label(segment)
         if label is not None:
             self.label, segment = label, replace(segment, tokens=segment.tokens[1:])
+        if self.way is not None and [x.kind for x in segment.tokens[:2]] == ["name", "relation"]:
+            own = replace(self._of_its_way(segment.tokens[0]), kind="phrase")
+            self.label, segment = None, replace(segment, tokens=(own, *segment.tokens[1:]))
+        if self._is_of_a_body(segment) and self.way is not None and not segment.has_relation:
+            self.label = self._of_its_way(segment.tokens[0])
+            segment = replace(segment, tokens=segment.tokens[1:])
         if self._is_of_a_body(segment):
             segment = replace(segment, tokens=segment.tokens[1:])
             if not segment.has_relation:
@@ -313,6 +331,15 @@ class _Reader(Chains):
         named = ":" in between and not between & _ENDING
         begins = begins and not between & _ENDING
         return begins or named or between <= {"by", "of", "as", "to", "about", "only"}
+
+    def _of_its_way(self, label: Token) -> Token:
+        """A label; of a body behind a way, ``perp: A: 3, B: -2``, that of its component."""
+        if label.kind == "phrase":
+            own = [word for word in label.name.split() if word not in self.usage.spheres]
+            self.way = replace(label, name=" ".join(own)) if _is_way(own) else None
+        if self.way is None or label.name not in self.usage.spheres:
+            return label
+        return replace(self.way, name=f"{self.way.name} of {label.name}")
 
     def _label(self, segment: Segment) -> Token | None:
         """A phrase with mathematics directly behind it."""

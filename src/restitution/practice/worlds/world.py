@@ -36,6 +36,7 @@ from restitution.shapes import Circle
 from restitution.solving.story.forward import Story
 from restitution.vector import Vector
 
+_NOTHING = 1e-9
 _REFUSALS = (
     RestitutionError,
     ArithmeticError,
@@ -81,6 +82,13 @@ class World(SampledMotion):
                 if is_quantity(node, "deflection") or (isinstance(stage, int) and stage < first):
                     return 0
         return first
+
+    @cached_property
+    def is_in_one_line(self) -> bool:
+        """Whether all bodies move along i, or all along j: there a speed is a velocity's worth."""
+        vectors = (*self.start.values(), *self.after.values(), *self.lines.values())
+        columns = zip(*((vector.x, vector.y) for vector in vectors), strict=True)
+        return any(all(np.all(np.abs(x) < _NOTHING) for x in parts) for parts in columns)
 
     def wall_impacts(self) -> Iterator[tuple[int, str]]:
         """The impacts with walls, each with its sphere."""
