@@ -980,7 +980,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("component-read-off", "corner-of-120", 3, "B1", "B1", "B1"),
     ("further-component-read-off", "corner-of-120", 4, "", "", ""),
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
-    ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
+    ("last-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
     ("distance-restated", "along-two-walls", 8, "A1", "A1", "A1"),
     ("opposite-impulse", "opposite", 3, "A1ft", "A1ft", "A1ft"),
@@ -1579,3 +1579,29 @@ find velocity(A), velocity(B)
 show velocity(A) parallel to velocity(B)
 """
     assert printed_marks(text)[-2:] == ["DM1", "A1*"]
+
+
+def test_of_three_scalar_products_the_last_is_accuracy_and_so_is_a_velocity_of_them() -> None:
+    text = """
+sphere A: mass 1, velocity 3i + 4j
+sphere B: mass 1, velocity -3i
+A hits B: along 2i - j, e = 1/2
+find velocity(A), velocity(B), dot(velocity(A), line_of_centres)
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    own = [each for each in derivation.lines if each.move.id != "let"]
+    marks = [written(each.marks) for each in own]
+    first = marks.index("M1")
+    assert marks[first : first + 9] == ["M1", "", "A1", "B1", "M1 A1", "M1 A1", "DM1", "M1", "A1"]
+
+
+def test_a_condition_by_the_sign_of_a_tangent_is_a_method() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity u at 180° - alpha
+A hits B: along i
+let beta = angle(velocity(A), i)
+given beta < 90°
+find range of k in terms of e
+"""
+    assert printed_marks(text)[-2:] == ["DM1", "A1"]

@@ -36,6 +36,19 @@ show energy(A) + energy(B) = m u^2/2
         ),
         ("V_A² + V_B² = u²",),
     ),
+    "two spheres in turn that are brought to rest": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+sphere C: mass 4m, at rest
+A hits B: along i, e = 1/2
+show A at rest
+B hits C: along i, e = 1/2
+show B at rest
+""",
+        ("mu = mv₁ + 2m(v₁ + u/2)", "2m(u/2) = 2mv₂ + 4m(v₂ + u/4)"),
+        (),
+    ),
     "a ratio of energies by the speed that was shown": (
         """
 wall W: along i

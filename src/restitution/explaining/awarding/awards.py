@@ -212,8 +212,9 @@ class _Awarding:
                     points[line.number] = [*own, "A", "A"]
                 elif is_given(self, line) and (earned or own == ["B"]):
                     points[line.number] = [] if earned else ["B"]
-                if says_again(self, line):
-                    for solution in self._solutions(line):
+                whole = self._first_form(line)
+                if says_again(self, whole):
+                    for solution in self._solutions(whole):
                         # The value is asked: it stands there already, under another name.
                         points[solution.number] = [e for e in points[solution.number] if e != "A"]
                 if line.move.record == "component":
@@ -470,6 +471,12 @@ class _Awarding:
         """How many lines a part has."""
         own = [line for line in self.derivation.lines if self.part(line) == part]
         return sum(map(length, own)) + sum(line.move.record in PAIR for line in own)
+
+    def _first_form(self, line: Line) -> Line:
+        """The line that a line only simplifies, in the same item; else that line itself."""
+        (*_, above) = [own for own in self.cited(line) if own.item == line.item] or [line]
+        alike = subject_of(above) is not None and subject_of(above) == subject_of(line)
+        return above if alike and line.move.id == "rearrange" else line
 
     def _solutions(self, line: Line) -> Iterator[Line]:
         """The lines among the premises of one, in its item, that solve principles together."""

@@ -461,19 +461,17 @@ def is_opposite(work: Work, line: Line) -> bool:
 
 
 def _new_inequality(work: Work, line: Line) -> bool:
-    """An inequality that comes of none; a comparison by a place on a wall, or by a given bound."""
-    if line.move.id == "compare" and not any(
-        fact.id.startswith("within ") or _bounds_a_quantity(fact) for fact in work.facts(line)
-    ):
-        return False
-    if isinstance(line.relation, Relation) and tells_a_quadrant(line.relation):
+    """An inequality that comes of none; a comparison by a place, a given bound, or a quadrant."""
+    bounded = any(e.id.startswith("within ") or _bounds_a_quantity(e) for e in work.facts(line))
+    bounded |= any(tells_a_quadrant(own.relation) for own in work.cited(line))
+    if tells_a_quadrant(line.relation) or (line.move.id == "compare" and not bounded):
         return False
     if line.move.id == "sign" and is_sum_that_is_positive(line) and not [*work.cited(line)]:
         return False
     return _unequal(line) and not any(
         _unequal(other)
         and work.part(other) == work.part(line)
-        and not (isinstance(other.relation, Relation) and tells_a_quadrant(other.relation))
+        and not tells_a_quadrant(other.relation)
         and not says_a_quantity_is_positive(other)
         for other in work.cited(line)
     )
@@ -630,6 +628,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "alone": lambda work, line: len(_alike(work, line)) == 1,
     "first-of-several": lambda work, line: _alike(work, line)[:1] == [line],
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
+    "last-of-several": lambda work, line: _alike(work, line)[1:][-1:] == [line],
     "by-its-letter": _by_its_letter,
     "of-facts": rests_on_facts,
     "at-sight": _at_sight,

@@ -133,7 +133,7 @@ RULES: tuple[Rule, ...] = (
     _rule("component-read-off", ("define",), "B", ("component",), ("read-off", "first-of-several")),
     _rule("further-component-read-off", ("define",), "", ("component",), ("read-off",)),
     _rule("first-scalar-product", ("define",), "M", ("component",), ("first-of-several",)),
-    _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
+    _rule("last-scalar-product", ("define",), "A", ("component",), ("last-of-several",)),
     _rule("given-speed", ("define",), "M", ("speed", "size"), ("of-one-term", "an-equation")),
     _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
     _rule("for-an-angle", ("define",), "", ("speed", "size"), ("on-the-way", "for-an-angle")),

@@ -142,10 +142,10 @@ def says_a_quantity_is_positive(line: Line) -> bool:
     return False
 
 
-def tells_a_quadrant(relation: Relation) -> bool:
-    """Whether it is only said that a tangent is positive, so that its angle is acute."""
+def tells_a_quadrant(relation: Relation | Meaning) -> bool:
+    """Whether it is only said that a tangent is positive, or not negative: its angle is acute."""
     match relation:
-        case Relation((((Link(Apply("tan"), ">", right)),),)):
+        case Relation((((Link(Apply("tan"), ">" | ">=", right)),),)):
             return right == Number(Fraction(0))
     return False
 

@@ -29,7 +29,7 @@ from restitution.planning.writing.lines_in_two import number_above, with_two_for
 
 def with_printed_eliminations(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The same working, in which an unknown is put in above a printed result."""
-    for line in derivation.lines:
+    for line in reversed(derivation.lines):  # those above keep their numbers
         if line.move.id != "combine" or not _is_printed(derivation, line):
             continue
         put = _put_in(derivation, line)
