@@ -207,15 +207,18 @@ def test_of_two_directions_of_a_normal_it_is_the_one_against_the_unit_vector(
     [
         (
             "wall W: along i\nwall X: along j\nsphere P: velocity u at alpha to W\n",
-            "Take 𝐢 in the direction in which P first moves along W, and 𝐣 away from W.",
+            "Take 𝐢 parallel to W, in the direction in which P first moves, and 𝐣 away from W.",
         ),
         (
             "wall W: along j\nwall X: along i\nsphere P: velocity u at alpha to W\n",
-            "Take 𝐣 in the direction in which P first moves along W, and 𝐢 towards W.",
+            "Take 𝐣 parallel to W, in the direction in which P first moves, and 𝐢 towards W.",
         ),
         (
             "wall W: along i\nwall X: along j\nsphere P: velocity u at alpha from -i\n",
-            "Take 𝐢 opposite to the direction in which P first moves along W, and 𝐣 away from W.",
+            (
+                "Take 𝐢 parallel to W, opposite to the direction in which P first moves, and 𝐣 "
+                "away from W."
+            ),
         ),
     ],
 )
@@ -232,12 +235,20 @@ def test_senses_that_the_question_leaves_open_are_taken(statement: str, senses: 
 @pytest.mark.parametrize(
     ("wall", "velocity", "senses"),
     [
-        ("i", "u at 20° to W", "A first moves along W in the direction of 𝐢, and 𝐣 is away from W"),
-        ("j", "3 at 70° to W", "A first moves along W in the direction of 𝐣, and 𝐢 is towards W"),
+        (
+            "i",
+            "u at 20° to W",
+            "Parallel to W, A first moves in the direction of 𝐢, and 𝐣 is away from W",
+        ),
+        (
+            "j",
+            "3 at 70° to W",
+            "Parallel to W, A first moves in the direction of 𝐣, and 𝐢 is towards W",
+        ),
         (
             "i",
             "u at 110° to W",
-            "A first moves along W in the direction opposite to 𝐢, and 𝐣 is away from W",
+            "Parallel to W, A first moves in the direction opposite to 𝐢, and 𝐣 is away from W",
         ),
         ("i", "u at -20°", None),
         ("i", "2i - 3j", None),
@@ -255,7 +266,7 @@ def test_the_sense_along_a_wall_is_said_beside_another_sphere(
         A hits B: along j, e = 1/2
         find velocity(A)
         """)
-    assert ("first moves along" in shown) == (senses is not None)
+    assert (" first moves in the direction" in shown) == (senses is not None)
     if senses is not None:
         assert shown.count(senses) == 1
         assert shown.index(senses) < shown.index("in the direction of", shown.index(senses) + 60)

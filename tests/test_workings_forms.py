@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from restitution.language import parse
@@ -427,3 +429,40 @@ def test_a_velocity_said_again_is_in_the_decimals_of_its_line() -> None:
         "find velocity(P), time(2)\nP hits W1: e = 1/2\nfind position(P)"
     )
     assert "As 𝐯₂ = −0.36𝐢 + 0.02𝐣, P moves away from W1" in shown
+
+
+def test_that_bodies_move_along_and_across_the_line_of_centres_is_said_once() -> None:
+    shown = working(
+        "sphere A, B: mass 2m\nsphere A: velocity 3u at 20°\nsphere B: at rest\n"
+        "A hits B: along i, e = 1\nshow velocity(A) perpendicular to velocity(B)\n"
+        "find velocity(B), speed(A), speed(B)"
+    )
+    first = "A moves perpendicular to the line of centres, and B, which was at rest, along it."
+    assert first in shown
+    assert "moves along the line of centres:" not in shown
+
+
+def test_a_reason_is_not_said_again_in_the_next_row() -> None:
+    shown = working(
+        "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W: e = 1/4\n"
+        "given deflection(P) > 90°\nfind range of theta"
+    )
+    assert shown.count("as θ is acute") == 1
+
+
+def test_an_answer_that_a_later_part_puts_in_has_its_four_figures() -> None:
+    shown = working(
+        "wall W: along j\nsphere P: mass 0.3, velocity 11 at 35° to W\nP hits W: e = 0.4\n"
+        "part a\nfind speed(P)\npart b\nfind energy_lost/energy(0) as a percentage"
+    )
+    (figures,) = re.findall(r"\(11² − ([0-9.]+)²\)/11²", shown)
+    assert f"≈ {figures} ≈ " in shown.split("(b)")[0]
+
+
+def test_short_values_with_a_sign_are_named_with_the_numbers_beside_them() -> None:
+    shown = working(
+        "sphere A: mass m, velocity 3u i + 2u j\nsphere B: mass k m, at rest\n"
+        "A hits B: along i, e = 1/2\ngiven velocity(A) in the direction of -i + 4j\n"
+        "part a\nfind k\npart b\nfind energy_lost"
+    )
+    assert "with v = −u/2, w = u and k = 7/2 from part (a)" in shown

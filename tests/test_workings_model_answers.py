@@ -369,7 +369,10 @@ def test_the_sense_along_a_wall_stands_before_the_first_coordinate() -> None:
         P reaches N
         find h
         """,
-        ["P first moves along W in the direction of 𝐢", "x-coordinate of P at the impact = h"],
+        [
+            "Parallel to W, P first moves in the direction of 𝐢",
+            "x-coordinate of P at the impact = h",
+        ],
     )
 
 

@@ -218,10 +218,10 @@ class Chains(ChainsInFigures):
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
                 line.move.record in TANGENTS
                 and len(links) > 1
-                and has_root(below)
+                and (has_root(below) or of_plain_angles(below))
                 and 1 not in draft.in_figures
             ):
-                # Components that are multiples of roots stand as they are before they cancel.
+                # Components that are multiples of roots, or of ratios, are seen before they cancel.
                 own = lay.fraction(*map(self._naming.layout, (above, below)))
                 sides[1] = lay.negative(own) if isinstance(ratio, Negate) else own
         without_doubles(sides, signs)

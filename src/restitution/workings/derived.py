@@ -79,6 +79,7 @@ from restitution.workings.rendering.once import (
     in_turn,
     labelled_once,
     of_a_percentage,
+    reasoned_once,
     spoken,
     without_its_condition,
 )
@@ -226,7 +227,7 @@ class _Writer:
         self.naming.bold.part = label
         self.before = ()
         self.heading = self.naming.heading_in_part = None
-        steps = tuple(labelled_once(joined(self.steps(lines, label))))
+        steps = tuple(labelled_once(reasoned_once(joined(self.steps(lines, label)))))
         if self.axes and has_axes(steps):
             steps, self.axes = tuple(with_axes(steps, self.axes)), ()
         return steps

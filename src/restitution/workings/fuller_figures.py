@@ -8,7 +8,6 @@ from restitution.explaining.lines.derivation import Derivation, Line, Relation
 from restitution.expression.tree import (
     Expression,
     has_quantity,
-    is_binary,
     is_function,
     letters,
     walk,
@@ -61,9 +60,9 @@ def goes_into_numbers(derivation: Derivation, ends: Ends, line: Line, value: Exp
 
 
 def _is_root_of(node: Expression, value: Expression) -> bool:
-    """Whether a root, perhaps over a number, is a speed that is written by its components."""
-    root = node.left if is_binary(node, "/") else node
-    if not (is_function(root, "sqrt") and is_function(value, "sqrt")):
+    """Whether a root, perhaps with a number, is a speed that is written by its components."""
+    roots = any(is_function(own, "sqrt") for own in walk(node))
+    if not (roots and is_function(value, "sqrt")):
         return False
     if letters(node) or has_quantity(node) or not has_plain_angles(node):
         return False

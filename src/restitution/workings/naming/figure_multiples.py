@@ -66,7 +66,9 @@ def multiple_of(number: sp.Expr, letters_: sp.Expr) -> Expression | None:
 def is_one_term(tree: Expression) -> bool:
     """Whether a tree is a number times letters, over a number perhaps, with nothing to work out."""
     match tree:
-        case Negate(inside) | Binary("/", inside, Number()):
+        case Negate(inside):
+            return is_one_term(inside)
+        case Binary("/", inside, Number()):
             return _is_product(inside)
     return _is_product(tree)
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from restitution.explaining.lines.saying import Sentence, Slot, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.render import layout as lay
 from restitution.workings.rendering.steps import Row, Step
 
@@ -16,10 +17,20 @@ _ONE: Mapping[tuple[str, Slot], tuple[str, Slot]] = {
     ("products", say("resolved.several-products")): ("products", say("resolved.one-product")),
 }
 
-_FROM_REST = frozenset(
-    ("moves-along.from-rest", "derived-speed.along-from-rest", "derived.along-centres-from-rest")
-)
-_ALONG = frozenset(("moves-along.title", "derived-speed.along", "derived.along-centres"))
+# Which of its bodies a sentence says to move along the line of centres, and which across it.
+_WAYS: Mapping[SentenceId, Mapping[str, str]] = {
+    "moves-along.from-rest": {"body": "along"},
+    "derived-speed.along-from-rest": {"body": "along"},
+    "derived.along-centres-from-rest": {"body": "along"},
+    "moves-along.title": {"body": "along"},
+    "derived-speed.along": {"body": "along"},
+    "derived.along-centres": {"body": "along"},
+    "derived-speed.across": {"body": "across"},
+    "derived.across-centres": {"body": "across"},
+    "derived.apart": {"one": "across", "other": "along"},
+    "derived.apart-from-rest": {"one": "across", "other": "along"},
+}
+_FROM_REST = frozenset(name for name in _WAYS if name.endswith("from-rest"))
 
 
 def joined(steps: Iterable[Step]) -> Iterator[Step]:
@@ -29,10 +40,16 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
     of its own item goes on from it.
     """
     last: Step | None = None
+    known = frozenset[tuple[str, Slot]]()
     for step, after in pairwise((*steps, None)):
         assert step is not None
-        if last is not None and _says_the_way_again(last, step):
+        own = _only_words(step)
+        if own is not None and own.id in _WAYS and own.id not in _FROM_REST and _ways(own) <= known:
             step = replace(step, title=None, sentences=())
+        elif step.title or step.sentences:
+            ways = frozenset().union(*map(_ways, step.sentences))
+            ways |= _ways(step.title) if step.title else frozenset()
+            known = ways | known if step.kind == "note" else ways
         if (
             last is not None
             and last.kind == step.kind == "setting"
@@ -61,12 +78,10 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
         yield _counted(last)
 
 
-def _says_the_way_again(last: Step, step: Step) -> bool:
-    """Whether words say only that a body moves along the line of centres, as those above do."""
-    above, own = _only_words(last), _only_words(step)
-    if above is None or own is None or not last.rows:
-        return False
-    return above.id in _FROM_REST and own.id in _ALONG and above.slots == own.slots
+def _ways(sentence: Sentence) -> frozenset[tuple[str, Slot]]:
+    """Which bodies a sentence says to move along the line of centres, or across it."""
+    ways = _WAYS.get(sentence.id, {})
+    return frozenset((ways[name], body) for name, body in sentence.slots if name in ways)
 
 
 def _only_words(step: Step) -> Sentence | None:

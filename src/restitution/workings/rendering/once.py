@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import pairwise
 from operator import is_
 
 from restitution.explaining.lines.saying import Sentence
@@ -46,6 +47,16 @@ def labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
         )
         same = label == step.label and all(map(is_, rows, step.rows))
         yield step if same else replace(step, rows=rows, label=label)
+
+
+def reasoned_once(steps: Iterable[Step]) -> Iterator[Step]:
+    """Steps in which a row does not repeat the reason of the row just above it."""
+    for step in steps:
+        rows = [
+            replace(row, reasons=()) if row.reasons and row.reasons == above.reasons else row
+            for above, row in pairwise(step.rows)
+        ]
+        yield replace(step, rows=(*step.rows[:1], *rows)) if rows else step
 
 
 def without_its_condition(step: Step, condition: Sentence | None) -> Step:

@@ -215,20 +215,20 @@ SENTENCES: Mapping[str, str] = {
     "product.plain": "the scalar product",
     "product.of-a-turn": "the scalar product of the velocities before and after",
     "axes.away": (
-        "Take {along} {sense} in which {body} first moves along {wall}, and {across} away from "
-        "{wall}."
+        "Take {along} parallel to {wall}, {sense} in which {body} first moves, and {across} away "
+        "from {wall}."
     ),
     "axes.towards": (
-        "Take {along} {sense} in which {body} first moves along {wall}, and {across} towards "
-        "{wall}."
+        "Take {along} parallel to {wall}, {sense} in which {body} first moves, and {across} "
+        "towards {wall}."
     ),
     "axes.with": "in the direction",
     "axes.against": "opposite to the direction",
     "axes.told.away": (
-        "{body} first moves along {wall} {sense} {along}, and {across} is away from {wall}."
+        "Parallel to {wall}, {body} first moves {sense} {along}, and {across} is away from {wall}."
     ),
     "axes.told.towards": (
-        "{body} first moves along {wall} {sense} {along}, and {across} is towards {wall}."
+        "Parallel to {wall}, {body} first moves {sense} {along}, and {across} is towards {wall}."
     ),
     "axes.told.with": "in the direction of",
     "axes.told.against": "in the direction opposite to",
