@@ -439,3 +439,18 @@ def test_a_right_angle_between_vectors_that_stand_is_by_these() -> None:
     )
     assert "Scalar product, with 𝐯_P from part (a): 𝐮_P · 𝐯_P = 6 − 2 × 3 = 0" in text
     assert "angle of deflection of P = 90°" in text
+
+
+def test_whether_a_slanting_wall_is_hit_again_is_told_by_the_velocity() -> None:
+    """The other wall has another direction, so the velocity stands before its component there."""
+    text = printed("""
+sphere P: mass 1, velocity 8i + j
+wall W: along 3i + 4j
+wall X: along i + j
+P hits W: e = 1/4
+P hits X: e = 1/3
+show P hits W again
+""")
+    assert "= ((43/10)𝐢 + (13/4)𝐣) m s⁻¹" in text
+    assert "𝐯₂ · 𝐧₁ = (4 × (43/10) − 3 × (13/4))/5 = 149/100 m s⁻¹" in text
+    assert "0/100" not in text

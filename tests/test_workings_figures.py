@@ -714,3 +714,17 @@ find impulse
     whole = printed(text)
     assert "e = (tan 25°)/tan 40° ≈ 0.5557 ≈ 0.556" in whole
     assert "Substituting e ≈ 0.5557 from part (a)" in whole
+
+
+def test_figures_that_stand_for_a_component_are_not_written_again_for_the_speed() -> None:
+    """B moves along the line of centres: its speed is the component above."""
+    text = printed("""
+sphere A, B: mass 0.17
+sphere A: velocity 3.2 at 25°
+sphere B: at rest
+A hits B: along i, e = 0.9
+find speed(A), speed(B)
+find impulse
+""")
+    assert "w = 3.04 cos 25° ≈ 2.755 m s⁻¹" in text
+    assert "speed of B = 3.04 cos 25° ≈ 2.76 m s⁻¹" in text

@@ -296,7 +296,7 @@ SAYS = [
     (BY_THE_CHANGE, "is parallel to (𝐢 + 𝐣) − (4𝐢 + 2𝐣) = −3𝐢 − 𝐣 M1"),
     (BEFORE_A_NEARER_WALL, "= 22.5° + β = 22.5° + arctan(e tan 22.5°) M1"),
     (BEFORE_A_NEARER_WALL, "= (75/2)(1 − e²) sin² 22.5° J"),
-    (SUM_OF_SQUARES, "as sin²α < 1 and α is acute"),
+    (SUM_OF_SQUARES, "as sin²α < 1 for acute α"),
     (NO_GREATEST, "as k/(1 + k) = 1 − 1/(1 + k) < 1 and α is acute"),
     # v > (3 − e)u/(1 + e), which is u for e = 1
     (END_OF_A_BOUND, "as (3 − e)u/(1 + e) decreases as e increases and 0 ≤ e ≤ 1"),

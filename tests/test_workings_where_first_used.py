@@ -61,6 +61,14 @@ def test_level_spheres_are_particles_from_the_time_on() -> None:
     assert text.count("particles") == 1
 
 
+def test_spheres_that_are_in_one_place_are_particles_also_where_they_reach_others() -> None:
+    wall = "wall W: along j, through (6a, 0)"
+    printed_with(
+        f"{wall}\n{TOGETHER}B hits W: e = 1/2\nfind time(2), position(A)\n",
+        ("taken as particles.", "t₁ = 4a/(2u)", "position of A at the second impact = 4a𝐢"),
+    )
+
+
 def test_a_difference_of_places_stands_before_what_it_is_parallel_to() -> None:
     printed_with(
         f"{TOUCHING}find velocity(B)\n",

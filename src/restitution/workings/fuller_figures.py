@@ -46,6 +46,10 @@ def goes_into_numbers(derivation: Derivation, ends: Ends, line: Line, value: Exp
     """Whether lines below have in them the value of an answer that only a calculator knows."""
     if not has_plain_angles(value) or letters(value) or ends.of(line) is None:
         return False
+    above = (own for own in derivation.lines if own.number < line.number and own.shown != "silent")
+    stands = any(e.relation.trees[-1] == value for e in above if isinstance(e.relation, Relation))
+    if stands and not is_inverse(value):
+        return False  # the figures stand there
     below = [
         own
         for own in derivation.lines

@@ -228,13 +228,17 @@ class Comparison:
     ) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
         """A component in the direction of another impact, by the velocity as a vector."""
         scene = self.scene
-        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
         match axis:
-            case Quantity("line_of_centres", (), int(event)) if vector is not None:
+            case Quantity("line_of_centres", (), int(event)):
                 pass
             case _:
                 raise NotPlannedError("components along different lines")
+        velocity = Quantity("velocity", (Name(body),), stage)
+        if scene.desk.known(velocity) is None:
+            self.worths.quantity(velocity)
+        vector = scene.desk.known(velocity)
         assert isinstance(side, Quantity)
+        assert vector is not None
         own = by_scalar_product(scene, side, vector, scene.frame(event), wanted)
         return side, own.refs, own.value
 

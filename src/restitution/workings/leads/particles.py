@@ -7,15 +7,13 @@ from restitution.expression.tree import Quantity
 
 
 def first_with_particles(derivation: Derivation) -> Line | None:
-    """The first line for which spheres have no size, where a distance below it needs that too.
+    """The first line for which two spheres that collide have no size.
 
-    None where the distance is itself the first, so that its title says so.
+    None where it is a distance since that impact, so that its title says so.
     """
     together = {fact.id for fact in derivation.facts if _is_of_one_place(fact)}
     lines = [line for line in derivation.lines if together.intersection(line.premises)]
-    if not any(map(_is_since_an_impact, lines)) or _is_since_an_impact(lines[0]):
-        return None
-    return lines[0]
+    return None if not lines or _is_since_an_impact(lines[0]) else lines[0]
 
 
 def _is_since_an_impact(line: Line) -> bool:

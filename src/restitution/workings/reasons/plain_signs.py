@@ -55,7 +55,7 @@ def multiples_compared(line: Relation, cited: Sequence[Relation]) -> Relation | 
     """``511/1296 < 648/1296 = ½``, where two multiples of one thing are compared, not at sight.
 
     Of long fractions and of roots, to some figures: ``3√1409/35 ≈ 3.22 < 10/3``. None of what are
-    no multiples of one thing, and of what is seen.
+    no multiples of one thing, and of what is seen, as each sign is.
     """
     match line.options:
         case ((Link(Letter(), _, Letter()),),):
@@ -70,7 +70,7 @@ def multiples_compared(line: Relation, cited: Sequence[Relation]) -> Relation | 
         return None
     one, other = (side[0] for side in sides if side is not None)
     gap = sp.sign(one - other)
-    if gap == 0:
+    if gap == 0 or one == 0 or other == 0:
         return None
     sign: Sign = "<" if gap < 0 else ">"
     if one.is_Rational and other.is_Rational:

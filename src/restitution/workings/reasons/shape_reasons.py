@@ -249,7 +249,7 @@ class ShapeReasons:
                         continue  # a product with it is as small
                     if is_bound_by(whole, node, end, links[0].right):
                         bound = Relation(((Link(node, signs[links[0].sign in _WEAK], end),),))
-                        yield say("derived.fact", fact=self._naming.relation(bound))
+                        yield say("derived.limit", fact=self._naming.relation(bound))
                         return
 
     def _between_no_angle_and_a_right_one(
@@ -281,7 +281,7 @@ class ShapeReasons:
                     for one, other in ((ZERO, ONE), (ONE, ZERO))
                 ):
                     between = Relation(((Link(ZERO, "<", node), Link(node, "<", ONE)),))
-                    yield say("derived.fact", fact=self._naming.relation(between))
+                    yield say("derived.limit", fact=self._naming.relation(between))
                     return
 
     def _divisor(self, line: Line) -> Iterator[Sentence]:

@@ -10,7 +10,7 @@ from restitution.workings.reasons.shape_reasons import UP
 
 
 def with_acute_angles_together(sentence: Sentence) -> Sentence:
-    """The same reasons, of which those that angles are acute are one."""
+    """The same reasons, of which those that angles are acute are one, or part of a limit."""
     slots = dict(sentence.slots)
     reasons = slots.get("reasons")
     if sentence.id != "derived.as" or not isinstance(reasons, tuple):
@@ -20,6 +20,10 @@ def with_acute_angles_together(sentence: Sentence) -> Sentence:
         for reason in reasons
         if isinstance(reason, Sentence) and reason.id == "derived.acute"
     ]
+    match reasons, acute:
+        case (Sentence("derived.limit") as limit, _), [one]:
+            own = say("derived.limit-acute", fact=dict(limit.slots)["fact"], **dict(one.slots))
+            return say("derived.as", reasons=(own,))
     if len(acute) < 2:
         return sentence
     both = say("derived.both-acute", angles=tuple(dict(e.slots)["angle"] for e in acute))

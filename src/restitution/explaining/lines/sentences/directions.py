@@ -61,12 +61,12 @@ SENTENCES: Mapping[str, str] = {
         "{turn}. So it is sent back, and turns through 180° less both its angles to that line:"
     ),
     "turned.square": (
-        "{body} leaves at right angles to the line of centres, so it turns through 90° less its "
-        "first angle to that line:"
+        "{body} leaves at right angles to the line of centres, so its angle to that line before "
+        "and the angle of deflection add up to 90°:"
     ),
     "turned.from-square": (
-        "{body} comes at right angles to the line of centres, so it turns through 90° less its "
-        "new angle to that line:"
+        "{body} comes at right angles to the line of centres, so its angle to that line after and "
+        "the angle of deflection add up to 90°:"
     ),
     "turned.from-axis": (
         "{body} came in the direction of {axis}, so the angle of deflection is the one between "

@@ -47,6 +47,8 @@ SENTENCES: Mapping[str, str] = {
     "derived.for": "when {places:or}",
     "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
+    "derived.limit": "{fact}",
+    "derived.limit-acute": "{fact} for acute {angle}",
     "derived.half-acute": "{bound} since {angle} is acute",
     "derived.both-acute": "{angles:and} are acute",
     "derived.every-positive": ("and it takes every positive value as {angle} goes from 0° to 90°"),
