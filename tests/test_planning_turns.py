@@ -685,3 +685,35 @@ def test_the_sense_after_an_impact_rests_on_the_deflection_that_is_given() -> No
     shown = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert "β − θ = 45°" in shown
     assert "e = 13/112" in shown
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # A speed that is one component in ratios of angles in degrees has the form of that.
+        (
+            "sphere A: mass m, velocity u at 60°\nsphere B: mass m, at rest\nA hits B: along i\n"
+            "given deflection(A) = 20°\nfind speed(B)\n"
+        ),
+        (
+            "sphere P: mass m, velocity v at 35°\nsphere Q: mass 2m, at rest\nP hits Q: along i\n"
+            "given deflection(P) = 25°\nfind speed(Q)\n"
+        ),
+        # A letter keeps the ratios of the line above it: none of the double of the angle.
+        (
+            "sphere A: mass 2m, velocity u at alpha\nsphere B: mass 2m, velocity 2u at 180° - 40°\n"
+            "A hits B: along i\ngiven tan(alpha) = 3/4, speed(A) = speed(B)\nfind speed(A), e\n"
+        ),
+        # What a law says stands once, also where a part between had values put in at first.
+        (
+            "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = 1/2\npart a\nfind along(velocity(A), i)\n"
+            "part b\ngiven tan(alpha) = 2\nfind angle(velocity(A), velocity(B))\n"
+            "part c\ngiven deflection(A) = 90°\nfind speed(B)\n"
+        ),
+    ],
+)
+def test_a_working_with_angles_in_degrees_is_followed(text: str) -> None:
+    problem = parse(text)
+    derivation = plan(solve(problem), partial=True)
+    assert not follow(derivation, oracle_of(problem))

@@ -46,7 +46,11 @@ from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_slopes import with_direct_slopes
 from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.factors_out import with_factors_out
-from restitution.planning.writing.facts_once import with_distances_once, with_facts_once
+from restitution.planning.writing.facts_once import (
+    with_distances_once,
+    with_facts_once,
+    with_laws_once,
+)
 from restitution.planning.writing.gathering import gathered, numbered_anew
 from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
 from restitution.planning.writing.known_directions import with_known_directions
@@ -106,6 +110,8 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
         whole = whole if shorter is whole else pruned(shorter)
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
+    once = with_laws_once(whole)
+    whole = whole if once is whole else pruned(once)
     whole = _without_idle_arctangents(_without_unprinted_letters(whole))
     return gathered(with_direct_impacts(with_distances_once(with_facts_once(whole))))
 

@@ -13,6 +13,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import in_one_ratio, tidy
+from restitution.exact.plain_angles import has_plain_angles
 from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
 from restitution.explaining.lines.derivation import (
     Move,
@@ -209,6 +210,11 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     forms = [tree_of(value, angle=angle, as_it_is=as_it_is) for as_it_is in (True, False)]
     if link.right not in forms and not isinstance(value, sp.atan):
         relation = chain(link.left, (forms[1], None))
+        if has_plain_angles(right) and not scene.judge.follows(
+            Move("rearrange"), (number,), relation
+        ):
+            value = tidy(right)  # in the ratios that stand there, and not in those of the double
+            relation = chain(link.left, (tree_of(value), None))
         number = scene.desk.write(Move("rearrange"), (number,), relation)
     return known_as(scene, symbol, value, number)
 

@@ -8,6 +8,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
+from restitution.exact.plain_angles import plain_angles_in
 from restitution.explaining.lines.derivation import FLIPPED, Move, Ref, Relation
 from restitution.expression.tree import (
     Expression,
@@ -37,11 +38,14 @@ def root_of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
     """The root of one square whose base has a certain sign; None of anything else.
 
     A square of roots of letters is multiplied out, as a reader cannot see what it is the square of.
+    What has ratios of angles in degrees stays as its line has it.
     """
     if not is_binary(tree, "^"):
         return None
     base = scene.scalar(tree.left)
     sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
+    if sign and plain_angles_in(base):
+        return sign * base
     return tidy(sign * base) if sign else None
 
 

@@ -1,4 +1,4 @@
-"""What a given fact says of a component, and a coordinate, is not printed again as it is put in."""
+"""What stands is not said again: a law, a given fact of a component, a coordinate."""
 
 from __future__ import annotations
 
@@ -41,6 +41,30 @@ def with_facts_once(derivation: Derivation) -> Derivation:
                 line = replace(line, shown="silent")
         kept.append(line)
     return replace(derivation, lines=tuple(kept))
+
+
+def with_laws_once(derivation: Derivation) -> Derivation:
+    """The same working, in which a later part cites what a law says above, on the same premises.
+
+    That may have had values put in at first, which nothing needed.
+    """
+    fixed = {end.line for end in derivation.items} | {n for e in derivation.cases for n in e.lines}
+    first: dict[tuple[object, ...], int] = {}
+    instead: dict[int, int] = {line.number: line.number for line in derivation.lines}
+    for line in derivation.lines:
+        if line.move.id == "law" and line.shown == "line":
+            above = first.setdefault((line.move, line.relation, line.premises), line.number)
+            instead[line.number] = line.number if line.number in fixed else above
+    if all(number == above for number, above in instead.items()):
+        return derivation
+    return replace(
+        derivation,
+        lines=tuple(
+            replace(line, premises=tuple(instead.get(e, e) for e in line.premises))  # type: ignore[arg-type]
+            for line in derivation.lines
+        ),
+        notes=tuple(note.renumbered(instead) for note in derivation.notes),
+    )
 
 
 def with_distances_once(derivation: Derivation) -> Derivation:
@@ -91,4 +115,4 @@ def _equation(line: Line) -> Link | None:
     return links[0] if len(links) == 1 and links[0].sign == "=" else None
 
 
-__all__ = ["with_distances_once", "with_facts_once"]
+__all__ = ["with_distances_once", "with_facts_once", "with_laws_once"]
