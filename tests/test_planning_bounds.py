@@ -227,7 +227,7 @@ SAYS = {
             "sphere C: mass 2m, at rest\nA hits B: along i, e = e1\nB hits C: along i, e = e2\n"
             "given velocity(C) = 2/5 u i\nfind e2 in terms of e1\nfind range of e2"
         ),
-        ["e₂ ≥ ⅕ as (7 − 5e₁)/(5(1 + e₁)) decreases as e₁ increases and e₁ ≤ 1"],
+        ["e₂ ≥ ⅕ as (7 − 5e₁)/(5(1 + e₁)) decreases with increasing e₁ and e₁ ≤ 1"],
     ),
     "a coefficient that is twice another": (
         (

@@ -58,7 +58,7 @@ SAYS = {
         WALL.format(line="i", velocity="10 at 60° to W", e="")
         + f"given e >= 1/3\nfind maximum of {BEFORE} - {AFTER} over e",
         [
-            "60° − β ≤ 30° as 60° − arctan(√3 e) decreases as e increases and e ≥ ⅓",
+            "60° − β ≤ 30° as 60° − arctan(√3 e) decreases with increasing e and e ≥ ⅓",
             "greatest value of 60° − β = 30°, when e = ⅓",
         ],
     ),

@@ -94,7 +94,7 @@ EXTREMES = {
     "in cases": (
         f"{ALONG}find minimum of energy(A) over e\n",
         [
-            "decreases as e increases, e ≤ 1 and k ≤ 1 DM1",
+            "decreases with increasing e, e ≤ 1 and k ≤ 1 DM1",
             "= (k − 1)²mu²/(2(1 + k)²), when e = 1 A1 A1 This holds for k ≤ 1",
             "= 0, when ek − 1 = 0, so e = 1/k A1 A1 This holds for k > 1",
         ],

@@ -202,7 +202,7 @@ find maximum of speed(B) over d
 """
     problem = parse(statement)
     text = to_text(explanation_of(plan(solve(problem)), problem))
-    assert "decreases as d increases" in text
+    assert "decreases with increasing d" in text
 
 
 def test_a_place_that_is_given_at_an_impact() -> None:

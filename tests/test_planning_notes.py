@@ -37,7 +37,8 @@ A hits B: along i{e}
 """
 
 WITHOUT_E = (
-    "What else is asked is worked out from the data without e, though there is no such impact."
+    "So there is no such impact. What else is asked does not depend on e, and can still be worked "
+    "out from the data."
 )
 
 

@@ -141,7 +141,10 @@ def test_what_rests_on_an_impossible_coefficient_says_so() -> None:
         "given angle(velocity(A), velocity(B)) = 120°\nfind e, speed(A)"
     )
     working = " ".join(to_text(explain(solve(parse(text))), 80).split())
-    assert "worked out from the data all the same, though there is no such impact." in working
+    assert (
+        "So there is no such impact. What else is asked can still be worked out from the data."
+        in working
+    )
     assert "without e" not in working
 
 
@@ -231,7 +234,7 @@ def test_a_root_of_a_difference_of_squares_is_seen_to_fall() -> None:
         "A hits B: offset d, e = 1/2\nfind maximum of speed(B) over d"
     )
     working = to_text(explain(solve(parse(text))), 80)
-    assert "as 3u√(4a² − d²)/(8a) decreases as d increases" in working
+    assert "as 3u√(4a² − d²)/(8a) decreases with increasing d" in working
 
 
 def test_an_equation_of_letters_is_what_a_ratio_comes_from() -> None:

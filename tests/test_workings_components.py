@@ -203,3 +203,16 @@ find velocity(P)
 """
     printed_with(text.format("-"), ("component of 𝐯_P along 𝐣 = ½ × 1 = ½ m s⁻¹",))
     printed_with(text.format("+"), ("component of 𝐯_P along 𝐣 = −½ × 1 = −½ m s⁻¹",))
+
+
+def test_a_component_with_a_speed_that_was_found_has_a_line_where_a_loss_takes_it() -> None:
+    text = """
+sphere A: mass 4m, velocity 5u at alpha
+sphere B: mass m, velocity v at beta from -i
+given sin(alpha) = 3/5, sin(beta) = 5/13
+A hits B: along i, e = 1/2
+given direction(A) = 90°
+find v, energy_lost
+"""
+    along = "component of 𝐮_B along 𝐢 = −v cos β = −28u/3"
+    printed_with(text, ("v = 91u/9", along, "½m((28u/3)² − (20u/3)²)"))

@@ -156,7 +156,7 @@ def test_a_blow_is_no_impact_that_changes_nothing() -> None:
         "wall W: along i, through (0, 0)\nsphere P: mass 0.4, at (0, 5), at rest\n"
         "P receives 1.2i - 1.6j\nP hits W: e = 0.5\nfind time(2)"
     )
-    assert "Time = distance ÷ speed parallel to the y-axis: t₂ = 5/4" in shown
+    assert "Time = distance ÷ speed parallel to the y-axis: t₂ = (5 − 0)/4 = 1.25" in shown
 
 
 @pytest.mark.parametrize(
@@ -329,8 +329,8 @@ def test_components_beside_an_offset_have_their_sense_and_their_unit() -> None:
         "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
         "A hits B: offset d, e = 1\ngiven angle(velocity(A), i) = 60°\nfind d, speed(A)"
     )
-    sense = "are to the left, looking from A to B: component of 𝐮_A along"
-    assert f"Those perpendicular to the line of centres {sense}" in working(statement)
+    sense = "positive to the left, looking from A to B: component of 𝐮_A along"
+    assert f"with those perpendicular to the line of centres {sense}" in working(statement)
     shown = working(
         "sphere A: mass 2m, velocity 3u i, radius 5\nsphere B: mass m, velocity u i, radius 5\n"
         "A hits B: offset d, e = 1/4\ngiven angle(line_of_centres, i) = arcsin(3/5), d > 0\nfind d"

@@ -299,7 +299,7 @@ SAYS = [
     (SUM_OF_SQUARES, "as sin²α < 1 for acute α"),
     (NO_GREATEST, "as k/(1 + k) = 1 − 1/(1 + k) < 1 and α is acute"),
     # v > (3 − e)u/(1 + e), which is u for e = 1
-    (END_OF_A_BOUND, "as (3 − e)u/(1 + e) decreases as e increases and 0 ≤ e ≤ 1"),
+    (END_OF_A_BOUND, "as (3 − e)u/(1 + e) decreases with increasing e and 0 ≤ e ≤ 1"),
     (TO_A_WALL, "cos β = (5/3 + 5)/((5√10/3)√(1² + 1²)) = 2√5/5"),
     # 2 × 3 = 2v + w and w − v = 3/2: w = 3
     (ACROSS, "B came in the direction of 𝐣"),
@@ -330,7 +330,8 @@ SAYS = [
     (EITHER_WAY_ON, "= 3 tan α/(2k − 1 + 2(1 + k) tan²α)"),
     (BY_WHAT_IS_SHOWN, "tan δ = ((1 + ⅓) tan 45°)/(1 − ⅓ + 2 tan² 45°) = ½"),
     (FROM_THE_ANSWER, "(4m + M)/(3M) ≤ 1, as e ≤ 1 M1 M ≥ 2m, as M > 0"),
-    (TWO_RATIOS_GIVEN, "It is given that cos α = ⅗ and cos β = 5/13. Conservation of momentum"),
+    (TWO_RATIOS_GIVEN, "It is given that cos β = 5/13: component of 𝐮_B along 𝐢 = −2u cos β"),
+    (TWO_RATIOS_GIVEN, "It is given that cos α = ⅗. Conservation of momentum"),
     (THEN_THE_IMPULSE, "kinetic energy lost by A = "),
     (THEN_THE_IMPULSE, "change of momentum of A along the line of centres"),
     (SENT_BACK_IN_LETTERS, "β = 180° − arctan(√3/(3e))"),

@@ -44,6 +44,18 @@ def with_its_ratio(value: sp.Expr, put: sp.Expr, frame: Frame) -> Expression | N
     return negative(own) if (number < 0) != (share < 0) else own
 
 
+def has_a_speed_put_in(scene: Scene, body: str, frame: Frame, source: Source) -> bool:
+    """Whether a component along the line of centres has the value of a speed that was found."""
+    if scene.last_event(body, frame.number - 1) or not is_polar(scene, body):
+        return False
+    if scene.desk.known(frame.component("along", body, 0)) is not None:
+        return False
+    own = neat(scene.initial(body).value.dot(frame.direction("along")))
+    ratios = atoms_in(own, sp.sin, sp.cos)
+    size = own.xreplace(dict.fromkeys(ratios, sp.Integer(1)))
+    return bool(ratios) and not size.free_symbols <= source.value.free_symbols
+
+
 def by_its_ratio(
     scene: Scene, kind: str, body: str, frame: Frame, source: Source
 ) -> Expression | None:

@@ -27,7 +27,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.components_of_data import before_a_wall, by_its_angle
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.given_values import given_energy
-from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.impacts import before, in_direction
 from restitution.planning.formulas.standing_vectors import change_as_vectors
 from restitution.planning.formulas.velocity_formulas import (
     known_speed,
@@ -347,7 +347,8 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     values: list[Any] = []
     refs: list[Any] = [*frame.names_axis("along")]
     for body in scene.spheres(event):
-        early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+        early = before(scene, "along", body, frame)
+        late = in_direction(scene, "along", body, event, frame)
         mass = scene.mass(body)
         begin = by_its_angle(scene, body, frame, early) or tree_of(early.value)
         squared = [square(begin), square(tree_of(late.value))]

@@ -36,6 +36,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.assembling import put_together
 from restitution.planning.formulas.components_of_data import (
     by_its_ratio,
+    has_a_speed_put_in,
     has_ratios,
     is_polar,
     with_its_ratio,
@@ -94,8 +95,10 @@ def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
     if len(scene.desk.lines) > lines and frame.is_slanted:
         other = "across" if kind == "along" else "along"
         in_direction(scene, other, body, frame.number - 1, frame)
-    if kind == "along" and frame.wall is None and source.form and not has_ratios(source.form):
-        return _worked_out(scene, body, frame, source)
+    if kind == "along" and frame.wall is None:
+        hidden = source.form is not None and not has_ratios(source.form)
+        if hidden or has_a_speed_put_in(scene, body, frame, source):
+            return _worked_out(scene, body, frame, source)
     return source
 
 

@@ -23,8 +23,8 @@ SENTENCES: Mapping[str, str] = {
         "of {axis}:"
     ),
     "resolved-spheres.before-left": (
-        "Components before the impact. Those perpendicular to the line of centres are to the left, "
-        "looking from {first} to {second}:"
+        "Components before the impact, with those perpendicular to the line of centres positive to "
+        "the left, looking from {first} to {second}:"
     ),
     "resolved-spheres.after-units": "{components:capital} after the impact:",
     "resolved-wall.before": "Components before the impact, towards {wall} and parallel to it:",

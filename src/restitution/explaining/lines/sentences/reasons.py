@@ -71,5 +71,5 @@ SENTENCES: Mapping[str, str] = {
     "derived.tends-to": "{first}tends to {value} as {letter} → {end}",
     "derived.squared": "neither side is negative",
     "derived.tends": "{first}tends to {value} as {letter} grows",
-    "derived.decreases": "{quantity} decreases as {letter} increases",
+    "derived.decreases": "{quantity} decreases with increasing {letter}",
 }
