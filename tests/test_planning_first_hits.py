@@ -87,6 +87,22 @@ SAYS = {
         SLANTED.format(along="60°", velocity="3 at beta to V", e=": e = 1/2", n="", asked="beta"),
         ["in the direction of sin 60° 𝐢 − cos 60° 𝐣", "tan β < 2√3"],
     ),
+    "towards one from a corner, where the sphere has no place": (
+        (
+            "wall V: from (0, 0) to (10a, 0)\nwall W: from (0, 0) to (-5a, 5 sqrt(3) a)\n"
+            "sphere P: velocity u at 180° + alpha\nP hits V: e = 1/3\ngiven P will hit W\n"
+            "find range of alpha"
+        ),
+        ["in the direction of −√3 𝐢 − 𝐣", "tan α < 3√3", "0° < α < 79.1°"],
+    ),
+    "towards one from the far end, where the sphere has no place": (
+        (
+            "wall V: from (0, 0) to (8, 0)\nwall W: from (8, 0) to (12, 3)\n"
+            "sphere Q: velocity 5 at -theta\nQ hits V: e = 1/2\ngiven Q will hit W\n"
+            "find range of theta"
+        ),
+        ["in the direction of 3𝐢 − 4𝐣", "tan θ < 3/2"],
+    ),
     "towards one at an obtuse angle": (
         SLANTED.format(along="150°", velocity="-4i - 3j", e="", n="", asked="e"),
         ["in the direction of −sin 30° 𝐢 − cos 30° 𝐣"],

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial, reduce
+from math import gcd
 
 from restitution.explaining.data.arrangement import Arrangement, dot, opposite, turned
 from restitution.explaining.lines.algebra import World
@@ -13,14 +15,17 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Number,
     Pair,
     Quantity,
     Unit,
+    is_function,
     is_rest,
     is_zero,
+    rational,
 )
 from restitution.problem import Arrival, Event, Impact, Meets, Wall
 from restitution.shapes import Circle, Segment
@@ -47,7 +52,7 @@ def hits(arrangement: Arrangement, relation: Meets, events: int) -> Relation | N
 def _towards_an_unplaced_wall(
     arrangement: Arrangement, relation: Meets, events: int
 ) -> Relation | None:
-    """That a component is towards a straight wall without a place, or is not.
+    """That a component is towards a straight wall, where the wall or the sphere has no place.
 
     Such a wall lies ahead of the sphere as that moves at the start. None where this is open, where
     places tell more, or where a sphere has struck the wall before.
@@ -59,7 +64,9 @@ def _towards_an_unplaced_wall(
     (body,) = (name for name in names if name not in walls)
     wall = arrangement.walls[walls[0]]
     along = arrangement.along_of(wall)
-    if isinstance(wall.shape, Circle) or wall.shape.is_placed or along is None:
+    if isinstance(wall.shape, Circle) or along is None:
+        return None
+    if wall.shape.is_placed and arrangement.sphere(body).position is not None:
         return None
     if any(wall.name in event.bodies for event in arrangement.events[:events]):
         return None
@@ -81,7 +88,8 @@ def _towards_an_unplaced_wall(
 def _across(arrangement: Arrangement, along: Expression) -> Expression | None:
     """A direction perpendicular to a straight wall; of one told by its angle by sine and cosine."""
     if not arrangement.world().is_angle(along):
-        return turned(along)
+        across = turned(along)
+        return _in_units(across, arrangement) if isinstance(across, Pair) else across
     i, j = Unit("i"), Unit("j")
     match along:
         case Degrees(value) if value % 180 in (45, 135):
@@ -95,6 +103,46 @@ def _across(arrangement: Arrangement, along: Expression) -> Expression | None:
             )
     sine, cosine = Apply("sin", along), Apply("cos", along)
     return Binary("-", Binary("*", sine, i), Binary("*", cosine, j))
+
+
+def _in_units(direction: Pair, arrangement: Arrangement) -> Expression:
+    """A direction in **i** and **j**, without the factors that both of its coordinates have."""
+    if is_zero(direction.x) or is_zero(direction.y):
+        return direction
+    roles = arrangement.world().roles
+    (first, ours), (second, theirs) = map(_factors, (direction.x, direction.y))
+    for factor in list(ours):
+        positive = isinstance(factor, Letter) and roles[factor.name].kind == "positive"
+        if factor in theirs and (positive or is_function(factor, "sqrt")):
+            ours.remove(factor)
+            theirs.remove(factor)
+    common = Fraction(
+        gcd(first.numerator * second.denominator, second.numerator * first.denominator),
+        first.denominator * second.denominator,
+    )
+    across, upward = (
+        _product(abs(number) / common, [*factors, unit])
+        for number, factors, unit in ((first, ours, Unit("i")), (second, theirs, Unit("j")))
+    )
+    return Binary("-" if second < 0 else "+", Negate(across) if first < 0 else across, upward)
+
+
+def _factors(tree: Expression) -> tuple[Fraction, list[Expression]]:
+    """A coordinate as a number, not zero, and what that is multiplied by."""
+    match tree:
+        case Number(value):
+            return value, []
+        case Negate(operand):
+            number, factors = _factors(operand)
+            return -number, factors
+        case Binary("*", left, right):
+            (one, ours), (other, theirs) = _factors(left), _factors(right)
+            return one * other, ours + theirs
+    return Fraction(1), [tree]
+
+
+def _product(number: Fraction, factors: list[Expression]) -> Expression:
+    return reduce(partial(Binary, "*"), factors if number == 1 else [rational(number), *factors])
 
 
 def _side_at_the_start(arrangement: Arrangement, body: str, axis: Expression) -> int | None:
