@@ -62,8 +62,8 @@ def test_the_sum_of_squares_is_a_factor_before_it_is_one() -> None:
 def test_a_sine_or_a_cosine_is_a_component_over_the_speed() -> None:
     angle = f"{WALL}P hits W\nlet beta = angle(velocity(P), W)\n"
     text = printed(angle + "find sin(beta), cos(beta)")
-    assert "sin β × speed of P = eu sin α" in text
+    assert "(speed of P) sin β = eu sin α" in text
     assert "sin β = eu sin α/(u√(cos²α + e² sin²α)) = (e sin α)/√(cos²α + e² sin²α)" in text
-    assert "cos β × speed of P = u cos α" in text
+    assert "(speed of P) cos β = u cos α" in text
     text = printed(angle + "show sin^2(beta) = e^2 sin^2(alpha)/(cos^2(alpha) + e^2 sin^2(alpha))")
     assert "= (e sin α)/√(cos²α + e² sin²α) sin²β = e² sin²α/(cos²α + e² sin²α)" in text

@@ -656,7 +656,7 @@ let beta = angle(velocity(P), W)
 show u cos(alpha) = v cos(beta)
 """
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
-    assert "cos β × speed of P = u cos α" in working
+    assert "(speed of P) cos β = u cos α" in working
     assert "u cos α = v cos β (as required)" in working
     assert "not written out" not in working
 

@@ -466,3 +466,47 @@ def test_short_values_with_a_sign_are_named_with_the_numbers_beside_them() -> No
         "part a\nfind k\npart b\nfind energy_lost"
     )
     assert "with v = −u/2, w = u and k = 7/2 from part (a)" in shown
+
+
+def test_the_line_of_centres_is_along_the_velocity_that_stands_of_a_sphere_from_rest() -> None:
+    """It was worked out anew, by the change of the other velocity."""
+    shown = working(
+        "sphere A: mass 3, velocity 6i + 2j\nsphere B: mass 2, at rest\nA hits B\n"
+        "given velocity(A) = 2i + 4j\npart a\nfind velocity(B)\npart b\nfind e"
+    )
+    lead = "B was at rest, so it moves off along the line of centres, with 𝐯_B from part (a):"
+    assert f"{lead} the line of centres is parallel to 2𝐢 − 𝐣 M1 A1ft" in shown
+    assert "change of velocity" not in shown
+
+
+def test_what_one_body_gains_has_a_name() -> None:
+    shown = working(
+        "sphere P: mass 2, velocity 3i - 4j\nP receives 6i + 10j\nfind energy(P) - energy(P, 0)"
+    )
+    assert "kinetic energy gained by P = 37 − 25 = 12 J" in shown
+
+
+def test_an_angle_by_its_sine_is_not_a_line_of_its_own_on_the_way_to_a_difference() -> None:
+    shown = working(
+        "sphere A: mass 2m, velocity 10u at alpha\nsphere B: mass 3m, at rest\n"
+        "given sin(alpha) = 5/13\nA hits B: along i, e = 1/2\nfind deflection(A)"
+    )
+    assert "α = arcsin(5/13)" not in shown
+    assert "δ = β − α = arctan(25/6) − arcsin(5/13)" in shown
+
+
+def test_a_speed_by_its_angle_is_not_led_to_by_a_fact_that_was_said() -> None:
+    shown = working(
+        "wall W: along i\nsphere P: mass 0.1, velocity 12 at 64° to W\nP hits W\n"
+        "given angle(velocity(P), W) = 38°\npart a\nfind e\npart b\nfind speed(P)"
+    )
+    lead = "Speed of P = component ÷ cosine of its angle:"
+    assert f"{lead} speed of P = (12 cos 64°)/cos 38° ≈ 6.68 m s⁻¹ M1 A1" in shown
+
+
+def test_components_are_seen_before_they_cancel_in_a_tangent() -> None:
+    shown = working(
+        "wall W: along j\nsphere P: mass 0.4, velocity 15 at 35° to W\nP hits W: e = 0.8\n"
+        "find angle(velocity(P), W)"
+    )
+    assert "tan β = (12 sin 35°)/(15 cos 35°) = 0.8 tan 35°" in shown

@@ -93,4 +93,4 @@ def test_a_letter_of_which_the_sign_is_open_leaves_a_change_its_sense() -> None:
         "The impulse on B acts in the direction from A to B:\n"
         "    the direction from A to B is that of 3𝐢 + (s + 1)𝐣"
     ) in text
-    assert "approach each other" not in text
+    assert "approach each other along" not in text

@@ -53,7 +53,10 @@ from restitution.planning.writing.facts_once import (
 )
 from restitution.planning.writing.gathering import gathered, numbered_anew
 from restitution.planning.writing.kept_ratios import with_kept_ratios, with_one_angle
-from restitution.planning.writing.known_directions import with_known_directions
+from restitution.planning.writing.known_directions import (
+    with_known_directions,
+    with_lines_from_rest,
+)
 from restitution.planning.writing.one_component import with_one_component
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.printed_eliminations import with_printed_eliminations
@@ -113,7 +116,10 @@ def finished(problem: Problem, desk: Desk) -> Derivation:
     once = with_laws_once(whole)
     whole = whole if once is whole else pruned(once)
     whole = _without_idle_arctangents(_without_unprinted_letters(whole))
-    return gathered(with_direct_impacts(with_distances_once(with_facts_once(whole))))
+    whole = gathered(with_direct_impacts(with_distances_once(with_facts_once(whole))))
+    # What stands above a line is known only now.
+    shorter = with_lines_from_rest(whole, oracle)
+    return whole if shorter is whole else pruned(shorter)
 
 
 def pruned(derivation: Derivation) -> Derivation:
@@ -155,9 +161,10 @@ def _without_unprinted_letters(derivation: Derivation) -> Derivation:
 
 
 def _without_idle_arctangents(derivation: Derivation) -> Derivation:
-    """The same working without the lines that only turn a tangent round on the way to a sum.
+    """The same working without the lines that only turn a ratio round on the way to a sum.
 
-    Where the arctangent stands in every line that rests on such a line, nobody needs it.
+    Where the arctangent, or the arcsine or arccosine, stands in every line that rests on such a
+    line, nobody needs it.
     """
     ends = {item.line for item in derivation.items}
     ends |= {case.line for case in derivation.cases}
@@ -165,7 +172,9 @@ def _without_idle_arctangents(derivation: Derivation) -> Derivation:
 
     def mended(line: Line) -> Line:
         match line.move.id, line.relation:
-            case "inverse", Relation(((Link(Letter(), "=", Apply("arctan") as angle),),)):
+            case "inverse", Relation(
+                ((Link(Letter(), "=", Apply("arctan" | "arcsin" | "arccos") as angle),),)
+            ):
                 pass
             case _:
                 return line

@@ -413,11 +413,13 @@ def is_given(work: Work, line: Line) -> bool:
     return line.move.id == "fact" and not list(work.cited(line)) and line.number not in work.shown
 
 
-def _has_power_on_the_left(line: Line) -> bool:
-    """Whether a line closes the square of what is given into an equation."""
+def _is_open_on_the_left(line: Line) -> bool:
+    """Whether a line is an equation for a square that is given, or a speed times a ratio."""
     if isinstance(line.relation, Meaning):
         return False
-    left = line.relation.options[0][0].left
+    match left := line.relation.options[0][0].left:
+        case Binary("*", Quantity("speed"), Apply("sin" | "cos")):
+            return True
     return has_operator(left, "^") and not has_quantity(left)
 
 
@@ -659,8 +661,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
         subject_of(line) in [end.answer.options[0][0].left for end in work.derivation.items]
     ),
     "an-equation": lambda work, line: (
-        line.number not in work.ends
-        and (_has_power_on_the_left(line) or _closes_a_given(work, line))
+        line.number not in work.ends and (_is_open_on_the_left(line) or _closes_a_given(work, line))
     ),
     "of-a-number": _of_a_number,
     "product-above": _of_a_product,

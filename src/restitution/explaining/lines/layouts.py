@@ -500,6 +500,8 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
         others = tuple(value for value in put if value not in named)
         if len(named) != 1 or not others or layout.sign:
             return replace(layout, factors=tuple(map(_worded, put)))
+        if all(isinstance(value, lay.Function) for value in others):
+            return replace(layout, factors=(_worded(named[0]), *others))  # (speed of P) cos β
         rest = others[0] if len(others) == 1 else replace(layout, factors=others)
         return lay.Product((rest, named[0]), "×")
     if isinstance(layout, lay.Layout):

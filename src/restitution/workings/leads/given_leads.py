@@ -50,6 +50,7 @@ from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.leads import Leads
 from restitution.workings.leads.lines_around import is_at_rest
 from restitution.workings.leads.scalar_products import slope_title
+from restitution.workings.leads.shapes_of_lines import is_over_a_ratio
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
 from restitution.workings.naming.multiples import multiple_of
@@ -116,6 +117,8 @@ class GivenLeads(Leads):
         if len(facts) != 1:
             return ()
         (fact,) = facts
+        if fact.id in self._given and is_over_a_ratio(line):
+            return ()  # the title says what is divided by what
         self._given.add(fact.id)
         sentence = fact_in_words(self._naming, fact)
         # The first that fits is said: what comes before says more of a line than what comes after.

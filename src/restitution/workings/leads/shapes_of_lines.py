@@ -40,6 +40,14 @@ def has_sum_of_squares(tree: Expression) -> bool:
     return False
 
 
+def is_over_a_ratio(line: Line) -> bool:
+    """Whether a line has a speed as a component over a ratio of its angle in degrees."""
+    match line.relation:
+        case Relation(((Link(Quantity("speed"), "=", right), *_),)):
+            return bool(ratio_below(right))
+    return False
+
+
 def ratio_below(speed: Expression) -> str:
     """The sine or cosine of an angle in degrees by which a component is divided; empty without."""
     match speed:

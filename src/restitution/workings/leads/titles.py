@@ -491,7 +491,14 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         return None
 
     def _is_given_off(self, line: Line, body: str) -> bool:
-        """Whether a line takes the direction that is given of a sphere that was at rest."""
+        """Whether a line takes the direction of a sphere from rest, as it is given or stands."""
+        cited = [
+            own.relation.options[0][0].left
+            for number in numbers_in(line.premises)
+            if (own := self._derivation.line(number)) and isinstance(own.relation, Relation)
+        ]
+        if Quantity("velocity", (Name(body),), line.move.event) in cited:
+            return self.tells_of_rest(body, line.move.event or 0, line)
         facts = self._derivation.facts_in(line.premises)
         links = [fact.relation.options[0][0] for fact in facts if fact.kind == "given"]
         return any(

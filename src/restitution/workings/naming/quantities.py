@@ -140,23 +140,19 @@ class Naming(Moments):
         return None
 
     def _lost_by_one(self, tree: Expression) -> lay.Layout | None:
-        """What one body loses in an impact, in words: its energy before less that after."""
+        """What one body loses, or gains, in an impact, in words: a difference of two energies."""
         match tree:
             case Binary(
                 "-",
-                Quantity("energy", (Name(body),), int(early)),
-                Quantity("energy", (Name(other),), int(late)),
-            ) if body == other and late in self.events:
-                words = say("derived.energy-lost-by", body=body)
-                last = max(
-                    (
-                        event.number
-                        for event in self.events.values()
-                        if event.number < late and body in event.bodies
-                    ),
-                    default=0,
-                )
-                if early == last:
+                Quantity("energy", (Name(body),), int(first)),
+                Quantity("energy", (Name(other),), int(second)),
+            ) if body == other and max(first, second) in self.events:
+                early, late = sorted((first, second))
+                words = say("derived.energy-gained-by", body=body)
+                if first == early:
+                    words = say("derived.energy-lost-by", body=body)
+                own = (event.number for event in self.events.values() if body in event.bodies)
+                if early == max((number for number in own if number < late), default=0):
                     return operand(self._during(words, Quantity("energy_lost", (), late)))
         return None
 

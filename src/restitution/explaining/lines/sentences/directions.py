@@ -347,7 +347,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.along-line": "{body} moves parallel to {line}:",
     "derived.across-line": "{body} moves perpendicular to {line}:",
     "derived.line-at": "The line of centres is at {angle} to {axis}:",
-    "derived.along-the-path": "The path is in the direction of the velocity:",
+    "derived.along-the-path": "The velocity is in the direction of the path:",
     "derived.turned-clockwise": (
         "The impulse on {body} acts along the line of centres, away from {other}, so {body} is "
         "turned clockwise:"

@@ -75,6 +75,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.energy-all": "total kinetic energy",
     "derived.energy-lost": "kinetic energy lost",
     "derived.energy-lost-by": "kinetic energy lost by {body}",
+    "derived.energy-gained-by": "kinetic energy gained by {body}",
     "derived.energy-lost-all": "total kinetic energy lost",
     "derived.angle": "angle between {of:and}",
     "derived.acute-angle": "acute angle between {of:and}",
