@@ -490,3 +490,23 @@ def test_particles_that_collide_are_at_one_point() -> None:
     )
     assert "distance(A, B, 3) = 0" in lines
     assert not any("velocity(A, 3)" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("asked", "value"), [("dot(position(A), i)", "4a/3"), ("2a - dot(i, position(A))", "2a/3")]
+)
+def test_the_scalar_product_of_a_place_with_an_axis_is_a_coordinate(asked: str, value: str) -> None:
+    derivation = working(
+        f"""
+        sphere A: mass m, velocity 3u i, at (0, 0)
+        sphere B: mass m, at rest, at (0, 0)
+        wall W: along j, through (2a, 0)
+        A hits B: along i, e = 1/2
+        B hits W: e = 1/3
+        A hits B
+        find {asked}
+        """
+    )
+    *_, above, last = (e.relation for e in derivation.lines if isinstance(e.relation, Relation))
+    assert "along(position(A, 3), i) = 2a/3 + 3u/4 (8a/(9u)) = 4a/3" in write_relation(above)
+    assert write_relation(last).endswith(f"= {value}")

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Quantity,
+    Unit,
     children,
     has_quantity,
     is_binary,
@@ -386,6 +387,10 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
         value, more = scene.put(known.value)
         return Source(value, together(known.refs, more))
     match node:
+        case Quantity("dot", (Quantity("position") as place, Unit() as axis)) | Quantity(
+            "dot", (Unit() as axis, Quantity("position") as place)
+        ):
+            return _value_of(scene, Quantity("along", (place, axis)))
         case Apply("sin" | "cos" | "tan" as ratio, Quantity() | Letter() as angle) if is_angle(
             scene, angle
         ):
