@@ -728,3 +728,16 @@ find impulse
 """)
     assert "w = 3.04 cos 25° ≈ 2.755 m s⁻¹" in text
     assert "speed of B = 3.04 cos 25° ≈ 2.76 m s⁻¹" in text
+
+
+def test_the_last_end_of_a_range_has_its_figures_behind_it() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W
+given speed(P) <= 3/4 u
+find range of e
+"""
+    assert "0 ≤ e ≤ √15/6 ≈ 0.645, as e cannot be negative" in printed(text)
+    below = printed(text.replace("<=", ">="))
+    assert "√15/6 ≤ e ≤ 1" in below and "0.645 ≤ e ≤ 1, to 3 s.f." in below

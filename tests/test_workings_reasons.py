@@ -672,7 +672,7 @@ show angle(velocity(P), W) <= alpha
             "A hits B: along i\ngiven deflection(B) = 60°\nfind direction(A)"
         ),
         [
-            "it would turn through less than 60°",
+            "which is less than 60°",
             "tan θ = u/((√3 − 2)u) = 1/(√3 − 2) = (2 + √3)/((√3 − 2)(2 + √3))",
         ],
     ),

@@ -293,7 +293,7 @@ class Rows(Chains):
         return Row(tuple(bounded), tuple(sign_of(link) for link in links), reasons=reasons)
 
     def with_decimals(self, rows: Sequence[Row], line: Line) -> list[Row]:
-        """Rows with the ends of their range to three figures below them.
+        """Rows with the ends of their range to three figures below them, or the last one behind it.
 
         With a calculator they take the place of ends that nobody would write.
         """
@@ -304,7 +304,10 @@ class Rows(Chains):
         assert isinstance(line.relation, Relation)
         by_calculator = self._figures.with_calculator
         if not by_calculator or not any(map(self._figures.is_carried, line.relation.trees)):
-            return [*rows, decimals]
+            if decimals.operands[:-1] != last.operands[:-1] or decimals.signs != last.signs:
+                return [*rows, decimals]
+            operands, signs = (*last.operands, decimals.operands[-1]), (*last.signs, "≈")
+            return [*above, replace(last, operands=operands, signs=signs)]
         reasons = (*last.reasons, *decimals.reasons)
         return [
             *above,

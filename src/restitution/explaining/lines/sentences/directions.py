@@ -57,8 +57,9 @@ SENTENCES: Mapping[str, str] = {
     ),
     "turned.sign": "{sign} (since {bound})",
     "turned.back-as": (
-        "If {body} kept its sense along the line of centres, it would turn through less than "
-        "{turn}. So it is sent back, and turns through 180° less both its angles to that line:"
+        "If {body} kept its sense along the line of centres, it would turn through the difference "
+        "of its angles to that line, which is less than {turn}. So it is sent back, and turns "
+        "through 180° less both these angles:"
     ),
     "turned.square": (
         "{body} leaves at right angles to the line of centres, so its angle to that line before "

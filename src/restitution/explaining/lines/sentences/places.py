@@ -56,10 +56,10 @@ SENTENCES: Mapping[str, str] = {
         "chords subtend 360°, so the three angles have the sum 90°:"
     ),
     "round.same": (
-        "As the impacts between are perfectly elastic, they leave the angle with the radius as it "
-        "was. So all three chords make the same angle with the radii at their ends: {angle}, that "
-        "of the first chord with the radius at the start. Each subtends {span} at the centre, and "
-        "the three subtend 360°:"
+        "As the impacts are perfectly elastic, each chord makes the same angle with the radius as "
+        "the one before. So all three make the same angle with the radii at their ends: {angle}, "
+        "that of the first chord with the radius at the start. Each subtends {span} at the centre, "
+        "and the three subtend 360°:"
     ),
     "round.why": (
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "
