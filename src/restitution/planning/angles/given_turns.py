@@ -116,8 +116,8 @@ def _by_angle(scene: Scene, equation: GivenEquation, turn: Turn) -> int | None:
     if any(map(partial(_is_across, scene), (turn.first, turn.second))):
         return None  # of a right angle there is no tangent
     open_ = any(is_along_a_letter(scene, side) for side in (turn.first, turn.second))
-    if open_ and tidy(ratio).has(sp.sqrt(2), sp.sqrt(3)):
-        return None  # a component with nested roots is not worked out before e is
+    if open_ and (ratio.free_symbols or tidy(ratio).has(sp.sqrt(2), sp.sqrt(3))):
+        return None  # a component in the letters of both angles, or with roots, is not worked out
     line = write_given_cosine(scene, equation, turn.asked)
     if line is not None:
         return line

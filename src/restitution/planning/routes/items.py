@@ -193,7 +193,9 @@ def _quantity(scene: Scene, solver: Solver, asked: Quantity, name: str) -> None:
             scene.desk.end(name, number, scene.desk.relation(number))
         case Quantity("mass", (Name(body),)) if f"mass {body}" not in scene.facts:
             _letter(scene, asked, sp.sympify(scene.scalar(asked), strict=True), name)
-        case Quantity("mass" | "restitution"):
+        case Quantity("mass" | "restitution") | Quantity(
+            "dot", (Quantity("position"), _) | (_, Quantity("position"))
+        ):
             _expression(scene, solver, asked, name)
         case Quantity("along" | "across") if is_named(scene, asked):
             known = scene.desk.known(asked)
