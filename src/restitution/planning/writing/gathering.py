@@ -516,7 +516,7 @@ class _Gathering:
             )
         else:
             law = self._first_law(line, near)
-            if law is None:
+            if law is None or (kind == self._component and not self._is_for_laws(line)):
                 return
             target = law
         if target == at or not self._may_stand(line, target):
@@ -599,6 +599,15 @@ class _Gathering:
                 if other.move.record != "unchanged" or line.move.record == "component":
                     return n
         return None
+
+    def _is_for_laws(self, line: Line) -> bool:
+        """Whether a law of the impact of a component takes it, or one that it does not change."""
+        return any(
+            line.number in other.premises
+            and other.move.id == "law"
+            and other.move.event == line.move.event
+            for other in self._order
+        )
 
     def _is_later(self, line: Line, other: Line) -> bool:
         """Whether a component is that of an impact of which the other is one before it."""
