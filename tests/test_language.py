@@ -594,7 +594,10 @@ def test_what_was_probably_meant(line) -> None:
         ("given direction(A) = 60", "line 5, column 22: 60 was read as 60 radians"),
         ("A hits W\ngiven sin(40) = e", "column 11: 40 was read as 40 radians"),
         ("sphere P: velocity u m/s at 30°", "column 22: 'm/s' was read as a product of letters"),
-        ("sphere P: mass 2, velocity 1e3 i", "column 28: 1e3 was read as 1 times e_3"),
+        ("sphere P: mass 2, velocity 1e3 i", "column 28: 1e3 was read as e_3"),
+        ("sphere P: mass 2, velocity 3e2i", "column 28: 3e2 was read as 3 times e_2"),
+        ("sphere P: mass 2.5E3", "column 16: 2.5E3 was read as 2.5 times E_3"),
+        ("sphere P: mass 2, velocity 3x10^2 i", "column 28: 3x10^2 was read as a product with"),
         ("sphere P: mass 2e-3", "column 16: 2e-3 was read as 2e - 3"),
         ("sphere P: mass m kg", "column 18: 'kg' was read as a product of letters"),
         (

@@ -207,6 +207,36 @@ def test_what_cannot_be_read_leaves_marks_open():
     assert marks.earned + marks.open + marks.lost == marks.of
 
 
+TWO_VECTORS = """
+sphere A: mass 5, velocity 6i + 5j
+sphere B: mass 1, velocity -i + 3j
+A hits B: along i, e = 3/7
+find velocity(A), velocity(B)
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "letter", "means"),
+    [
+        ("v = 2i + j", "v", "velocity of A after"),
+        ("x = 9i + 5j", "x", "velocity of A after"),
+        ("w = 4", "w", "component of A in the direction of i after"),
+    ],
+)
+def test_a_value_that_fits_nothing_and_is_not_used_is_asked_about(line, letter, means):
+    marking = restitution.mark(restitution.parse(TWO_VECTORS), line)
+    assert [own.verdict for own in marking.lines] == ["asks"]
+    assert [ask.letter for ask in marking.asks] == [letter]
+    assert marking.asks[0].text.endswith(f"such as: let {letter} = {means}.")
+
+
+def test_a_vector_that_a_line_below_uses_is_its_definition():
+    marking = restitution.mark(
+        restitution.parse(TWO_VECTORS), "n = (3i + 4j)/5\ncomponent of u_A along n = 7.6"
+    )
+    assert marking.lines[0].verdict == "true"
+
+
 def test_a_line_has_all_its_keys():
     data = marked(PAIR, "6 + 4 = 2v + 4w; so; w - v = )(; w - v = 2").json()
     keys = {"n", "text", "read_as", "verdict", "accuracy"}

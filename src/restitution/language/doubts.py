@@ -151,15 +151,19 @@ def _terms(tree: Expression) -> Iterator[Expression]:
 
 # --- scientific notation ----------------------------------------------------------------------
 
+# A unit vector may stand at once behind a number: 2e3i.
 _SCIENTIFIC = re.compile(
-    r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)e(?P<power>(?P<sign>[-+]?)\d{1,2})(?![\w.])"
+    r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)"
+    r"(?:(?P<letter>[eE])(?P<power>(?P<sign>[-+]?)\d{1,2})"
+    r"|\s*x\s*10\s*(?:\^|\*\*)\s*\(?(?P<exponent>[-+]?\d{1,2})\)?)"
+    r"(?=[ij]?(?![\w.]))"
 )
 _OF_A_BODY = re.compile(r"\s*(?:sphere|wall|point)\b")
 
 
 def _powers_of_ten(problem: Problem, text: str) -> Iterator[Note]:
-    """``1e3``, which is e₃, and ``2e-3`` among the data of a body, which is 2e - 3."""
-    if "e" not in text:
+    """``1e3``, which is e₃, ``2x10^3``, and ``2e-3`` among the data of a body, which is 2e - 3."""
+    if not _SCIENTIFIC.search(text):
         return
     numbered: Counter[str] = Counter()
     for tree in trees(problem):
@@ -168,16 +172,22 @@ def _powers_of_ten(problem: Problem, text: str) -> Iterator[Note]:
         if line.lstrip().startswith("title"):
             continue
         for match in _SCIENTIFIC.finditer(line.partition("#")[0]):
-            power = match["power"]
+            power = match["power"] or match["exponent"]
             if match["sign"]:
                 if not _OF_A_BODY.match(line):
                     continue
-                product = f"{match['digits']}e {power[0]} {power[1:]}"
-            else:
-                letter = f"e_{power}"
-                if numbered[letter] != len(re.findall(rf"[\d.]e{power}(?![\w.])", text)):
+                product = f"{match['digits']}{match['letter']} {power[0]} {power[1:]}"
+            elif match["letter"]:
+                letter = f"{match['letter']}_{power}"
+                plainly = re.findall(rf"[\d.]{match['letter']}{power}(?=[ij]?(?![\w.]))", text)
+                if numbered[letter] != len(plainly):
                     continue  # a coefficient of its own
-                product = f"{match['digits']} times {letter}"
+                product = letter if match["digits"] == "1" else f"{match['digits']} times {letter}"
+            else:
+                letter = next((name for name in ("x_10", "x") if numbered[name]), "")
+                if not letter or numbered[letter] != len(re.findall(r"\d\s*x\s*10", text)):
+                    continue  # a length x
+                product = f"a product with the letter {letter}"
             value = Fraction(match["digits"]) * Fraction(10) ** int(power)
             plain = write_expression(Number(value))
             start, end = match.start() + 1, match.end() + 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -104,6 +105,34 @@ class AskedLetters(Doubts):
             candidates = self.bench.names.candidates(worlds[0])
             if has_no_such_value(meant, link, candidates, worlds, line.line.scope):
                 yield name, meant
+
+    def with_idle_definitions(
+        self, lines: Sequence[JudgedLine], asks: set[str]
+    ) -> tuple[JudgedLine, ...]:
+        """The lines in which ``v = 2i + j``, which fits nothing, is no definition but a question.
+
+        So it is where no other line has the letter: nobody defines what he does not use.
+        """
+        return tuple(self._idle_definition(line, lines, asks) for line in lines)
+
+    def _idle_definition(
+        self, line: JudgedLine, lines: Sequence[JudgedLine], asks: set[str]
+    ) -> JudgedLine:
+        own = line.line
+        if line.verdict != "true" or own.kind != "relations" or len(own.links) != 1:
+            return line
+        names = names_in(own)
+        if len(names) != 1:
+            return line
+        (name,) = names
+        word = re.compile(rf"(?<![^\W\d_]){re.escape(name)}(?![^\W_])")
+        if any(names & names_in(e.line) or word.search(e.line.text) for e in lines if e != line):
+            return line
+        meaning = self.meanings.best.at(own.number).get(name)
+        if meaning is None or meaning.by != "declared" or not is_numeric(meaning.quantity):
+            return line
+        asks.add(name)
+        return replace(line, verdict="asks")
 
     def _defined_last(self, lines: Sequence[JudgedLine]) -> Mapping[str, JudgedLine]:
         """The letter for an impulse that the last line alone defines by numbers, with that line.

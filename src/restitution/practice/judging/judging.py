@@ -177,6 +177,7 @@ class _Sitting(AskedLetters):
         with suppress(ExhaustedError), effort(_EFFORT):
             lines = self._with_crossed_out(lines)
         asks = set(judge_.unknown)
+        lines = self.with_idle_definitions(lines, asks)
         if any(line.verdict == "false" for line in lines):
             with suppress(ExhaustedError), effort(_EFFORT_OF_MISREADINGS):
                 lines = self._misread(lines)

@@ -22,6 +22,7 @@ from restitution.practice.marking.points import marked
 from restitution.practice.marking.showing import to_html, to_text
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.quoted import vectors_in
 from restitution.practice.reading.working import read_working
 from restitution.practice.script import Script
 from restitution.problem import Problem
@@ -198,8 +199,15 @@ def _asks(judgement: Judgement, solution: Solution, part: str | None) -> list[As
         for row in letters_box(solution.problem, solution, part)
         if row.meaning not in known
     ]
+    velocities = [
+        (f"velocity({sphere.name})", f"velocity of {sphere.name} after")
+        for sphere in solution.problem.spheres
+    ]
+    vectors = {name for line in judgement.lines for name in vectors_in(line.line)}
     return [
-        Ask(letter, _question(letter, rows), tuple(rows[:_PROPOSALS])) for letter in judgement.asks
+        Ask(letter, _question(letter, fitting), tuple(fitting[:_PROPOSALS]))
+        for letter in judgement.asks
+        for fitting in (velocities if letter in vectors else rows,)
     ]
 
 

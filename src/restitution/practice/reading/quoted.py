@@ -15,6 +15,9 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    has_quantity,
+    has_unit_vector,
+    is_zero,
     letters,
     walk,
 )
@@ -37,12 +40,27 @@ def without_steady_motion(line: str, known: Collection[str]) -> str:
 
 
 def has_data(line: ScriptLine) -> bool:
-    """Whether a line has numbers in it that no formula has by itself."""
-    return any(
-        _is_datum(node)
+    """Whether a line has numbers in it that no formula has by itself, or a value alone: 2i + j."""
+    sides = [
+        side
         for link in line.links
         for side in (link.readings[0].left, link.readings[0].right)
-        for node in walk(side)
+        if not is_zero(side)
+    ]
+    return any(
+        (not letters(side) and not has_quantity(side)) or any(map(_is_datum, walk(side)))
+        for side in sides
+    )
+
+
+def vectors_in(line: ScriptLine) -> frozenset[str]:
+    """The letters that a line says to be vectors of **i** and **j**: ``v = 2i + j``."""
+    return frozenset(
+        one.name
+        for link in line.links
+        for claim in link.readings[:1]
+        for one, other in ((claim.left, claim.right), (claim.right, claim.left))
+        if isinstance(one, Letter) and has_unit_vector(other)
     )
 
 
