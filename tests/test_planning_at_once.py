@@ -64,8 +64,8 @@ def test_laws_with_sums_in_them_are_tidied_before_they_are_solved() -> None:
         "B hits W: e = 1/3\nA hits B: along i, e = e\nfind velocity(A)"
     )
     lines = said(derivation)
-    assert "2(1 - 4e) u/5 = 2v_2 + 3w_2" in lines
-    assert "w_2 - v_2 = (8 - 7e) e u/15" in lines
+    assert "2(1 - 4e) u/5 = 2v_3 + 3w_3" in lines
+    assert "w_3 - v_3 = (8 - 7e) e u/15" in lines
 
 
 def test_coordinates_with_roots_are_collected_in_a_line() -> None:
@@ -114,7 +114,7 @@ def test_the_loss_of_two_moving_spheres_is_a_product() -> None:
         "A hits B: along i\nfind energy_lost"
     )
     lines = [each for each in said(derivation) if each.startswith("energy_lost(1) = ")]
-    assert lines[-1].endswith("= 3m (1 - e^2) (u cos(alpha) + v cos(beta))^2/5 [rearrange]")
+    assert lines[-1].endswith("= 3m (1 - e^2) (u cos(alpha) + v cos(beta))^2/5")
     assert not any("cos(alpha)^2" in each or "cos^2" in each for each in lines)
     assert "½ × 3m(x + v cos β)(u cos α + w − (x − v cos β))" in to_text(explain(solution))
 

@@ -589,7 +589,7 @@ def test_two_equations_are_solved_for_the_letter_that_is_wanted() -> None:
 def test_a_place_that_is_asked_stands_once() -> None:
     text = printed(REACHED)
     assert text.count("6𝐢") == 1
-    assert text.index("= 6𝐢 m A1") < text.index("Distance, from the coordinates")
+    assert text.index("= 6𝐢 m B1") < text.index("Distance, from the coordinates")
 
 
 def test_a_component_that_is_given_as_zero_is_zero_in_a_later_part() -> None:

@@ -510,3 +510,25 @@ def test_components_are_seen_before_they_cancel_in_a_tangent() -> None:
         "find angle(velocity(P), W)"
     )
     assert "tan β = (12 sin 35°)/(15 cos 35°) = 0.8 tan 35°" in shown
+
+
+def test_letters_have_the_number_of_their_impact_among_all() -> None:
+    """Beside the velocity of A after the third impact its component was v₂."""
+    shown = working(
+        "sphere A: mass 2, velocity 6i\nsphere B: mass 1, at rest\nwall W: along j\n"
+        "A hits B: along i, e = 1/2\nB hits W: e = 2/3\nA hits B: along i, e = 1/2\n"
+        "find velocity(A)"
+    )
+    assert "v₁ = 3" in shown
+    assert "v₃ = −½" in shown
+    assert "v₂" not in shown
+
+
+def test_a_speed_that_stands_in_letters_has_their_values_before_it_is_squared() -> None:
+    shown = working(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+        "given tan(alpha) = 3/4\npart a\nshow speed(P) = u/5 sqrt(16 + 9 e^2)\npart b\n"
+        "given e = 1/3\nfind energy_lost/energy(0)"
+    )
+    assert "Since e = ⅓, from (1): speed of P = √17 u/5" in shown
+    assert "fraction lost = (u² − (√17 u/5)²)/u² = 8/25" in shown

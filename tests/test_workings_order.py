@@ -373,3 +373,33 @@ find time(1), position(B, 2), position(A, 3)
     place = words.index("(ii) position of B at the second impact = b𝐢 B1")
     assert words.index("Second impact: B hits W") < place
     assert words.index("(1)") < place < words.index("Third impact")
+
+
+def test_a_law_that_a_later_item_needs_does_not_stand_in_the_middle_of_another_item() -> None:
+    text = """
+wall W: along i, through (0, -2)
+point N: (4, 3)
+sphere A: mass 1, at (-6, 0), velocity 12i
+sphere B: mass 1, at (0, 0), at rest
+A hits B: along 4i + 3j, e = 1/3
+A hits W: e = 1/2
+find time(2), position(A), distance(A, B)
+B reaches N
+find time(3), velocity(A)
+"""
+    words = printed(text)
+    assert words.index("(iii) distance between A and B") < words.index("component of 𝐯_A2 along 𝐣")
+    assert words.index("component of 𝐯_A2 along 𝐣") < words.index("Let t₃ be the time")
+
+
+def test_a_component_of_the_data_stands_above_the_impulse_that_takes_it() -> None:
+    text = """
+sphere A: mass 0.5, velocity 10 at theta
+sphere B: mass 0.6, velocity 1 at 180°
+given tan(theta) = 3/4
+A hits B: along i
+given impulse = 2
+find e
+"""
+    words = printed(text)
+    assert words.index("= 10 cos θ = 8 m s⁻¹") < words.index("2 = 0.5(8 − v)")

@@ -42,13 +42,14 @@ def allocated_letters(problem: Problem, taken: set[str]) -> dict[tuple[int, str]
     pool = [c for c in _COMPONENTS if c not in taken]
     names: dict[tuple[int, str], str] = dict(given)
     if len(of_spheres) > 1:
-        # The same two letters at every impact of two spheres, with its number; those that meet
-        # again have each its own, whichever of them strikes then.
+        # The same two letters at every impact of two spheres, with its number among all impacts;
+        # those that meet again have each its own, whichever of them strikes then.
+        orders = {number: order for order, (number, _) in enumerate(impacts, 1)}
         first_time: dict[frozenset[str], tuple[str, ...]] = {}
-        for order, (number, bodies) in enumerate(of_spheres, 1):
+        for number, bodies in of_spheres:
             pair = first_time.setdefault(frozenset(bodies), bodies)
             for letter, body in zip(pool[:2], pair, strict=False):
-                names.setdefault((number, body), f"{letter}_{order}")
+                names.setdefault((number, body), f"{letter}_{orders[number]}")
         del pool[:2]
     free = (c for c in pool if c not in names.values())
     for number, bodies in (*of_spheres, *(impact for impact in struck if len(impact[1]) < 2)):

@@ -179,6 +179,7 @@ def _change_of_squares(
     if speed is not None and ends is not None and is_root_of_a_sum(speed.value):
         speed = None  # one component is shorter
     if speed is not None and not scene.unknown(speed.value) and (ends is None or ends[1].value):
+        speed = _in_values(scene, Quantity("speed", (Name(body),), event), speed)
         return difference(whole, square(tree_of(speed.value))), size - speed.value**2, speed.refs
     if ends is not None:
         change = difference(*(square(tree_of(end.value)) for end in ends))
@@ -187,6 +188,17 @@ def _change_of_squares(
     if given is not None or scene.unknown(value):
         return None
     return difference(whole, late), size - value, refs
+
+
+def _in_values(scene: Scene, quantity: Quantity, speed: Source) -> Source:
+    """A speed by a line of its own, where letters in the one that stands have values by now."""
+    known = scene.desk.known(quantity)
+    if known is None or known.value == speed.value:
+        return speed
+    refs = tuple(dict.fromkeys((*known.refs, *speed.refs)))  # first the line, then what is put in
+    relation = chain(quantity, (tree_of(speed.value), None))
+    line = scene.judge.write((Move("put"),), refs, relation)
+    return speed if line is None else Source(speed.value, (line,))
 
 
 def ratio_of_energies(scene: Scene, asked: Expression) -> Formula | None:

@@ -243,11 +243,6 @@ def _is_a_time(line: Line) -> bool:
     return False
 
 
-def _goes_on(above: Line, line: Line) -> bool:
-    """Whether a line only works out the one above it."""
-    return line.move.id == "rearrange" and line.premises == (above.number,)
-
-
 def _letter_solved(line: Line) -> str | None:
     """The letter of which a line gives the one value; None of another line."""
     if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
@@ -356,7 +351,10 @@ class _Gathering:
             return
         left = any((self._event(order[n]) or 0) > event for n in near if n > own[-1])
         place = own[-1] + 1
-        while place < at and _goes_on(order[place - 1], order[place]):
+        # What an item has begun it goes on with, as far as that is about no later impact.
+        while place < at and order[place].item == order[place - 1].item:
+            if (self._event(order[place]) or order[place].move.event or 0) > event:
+                break
             place += 1
         if left and self._may_stand(line, place):
             order.insert(place, replace(order.pop(at), item=order[own[-1]].item))
@@ -593,7 +591,8 @@ class _Gathering:
             other = self._order[n]
             if self._is_later(other, line):
                 return n
-            if other.move.id == "law" and other.move.record in _LAWS:
+            impulse = other.move.record == "impulse" and line.move.record == "component"
+            if other.move.id == "law" and (impulse or other.move.record in _LAWS):
                 if other.move.event != line.move.event:
                     continue
                 if other.move.record != "unchanged" or line.move.record == "component":
