@@ -55,11 +55,45 @@ def test_a_folder_is_one_table(folder):
     status, out, _ = run(
         *("mark", "pair.impact", "scripts", "--letters", "letters.txt", "--csv"), cwd=folder
     )
-    rows = list(csv.DictReader(out.splitlines()))
+    rows = [row for row in csv.DictReader(out.splitlines()) if row["part"] == "a"]
     assert status == 0
     assert [row["script"] for row in rows] == ["ann.txt", "bob.txt"]
     assert [row["mistakes"] for row in rows] == ["", "momentum-sign"]
     assert int(rows[0]["earned"]) > int(rows[1]["earned"])
+
+
+def test_a_part_that_is_not_attempted_has_its_row(folder):
+    (folder / "scripts" / "cy.txt").write_text("")
+    arguments = ("mark", "pair.impact", "scripts", "--letters", "letters.txt")
+    _, out, _ = run(*arguments, "--csv", cwd=folder)
+    rows = list(csv.DictReader(out.splitlines()))
+    assert [(row["script"], row["part"]) for row in rows] == [
+        (name, part) for name in ("ann.txt", "bob.txt", "cy.txt") for part in "ab"
+    ]
+    assert len({row["of"] for row in rows if row["part"] == "b"}) == 1
+    assert [row["earned"] for row in rows if row["part"] == "b"] == ["0"] * 3
+    _, out, _ = run("mark", "pair.impact", "scripts/cy.txt", cwd=folder)
+    assert out.count("Marks: 0 of") == 2 and "(b)" in out
+    _, out, _ = run("mark", "pair.impact", "scripts/ann.txt", "-f", "json", cwd=folder)
+    assert [json.loads(line)["marks"]["of"] for line in out.splitlines()] == [
+        int(row["of"]) for row in rows[:2]
+    ]
+
+
+def test_a_script_that_cannot_be_read_does_not_stop_the_others(folder):
+    (folder / "scripts" / "anya.txt").write_bytes(b"v = 2\xff")
+    status, out, err = run("mark", "pair.impact", "scripts", "--part", "a", "--csv", cwd=folder)
+    rows = list(csv.DictReader(out.splitlines()))
+    assert status == 2 and "anya.txt: this is no text in UTF-8" in err
+    assert [row["script"] for row in rows] == ["ann.txt", "anya.txt", "bob.txt"]
+    assert set(list(rows[1].values())[1:]) == {""} and rows[2]["of"]
+    status, out, _ = run("mark", "pair.impact", "scripts", "--part", "a", cwd=folder)
+    assert status == 2 and out.count("Marks:") == 2
+
+
+def test_a_table_has_no_other_form(folder):
+    status, out, err = run("mark", "pair.impact", "scripts", "--csv", "-f", "json", cwd=folder)
+    assert (status, out) == (2, "") and "a table has a form of its own" in err
 
 
 def test_answers_alone(folder):

@@ -560,6 +560,29 @@ def test_a_percentage_of_what_has_a_unit_is_doubtful() -> None:
 @pytest.mark.parametrize(
     ("line", "texts"),
     [
+        ("sphere C: mass 1,000, velocity 3i", ["1000", "1.000"]),
+        ("sphere C: mass 2, velocity -3i + 1,500j", ["1500 ", "1.500 "]),
+        ("given impulse = 12,345", ["12345", "12.345"]),
+        ("sphere C: mass 1,234,567", ["1234567"]),
+        ("sphere C: mass 1,234.5", ["1234"]),
+        ("sphere C: mass 0,125", ["."]),
+        ("sphere C: velocity 1,25i", ["."]),
+        ("given energy_lost = 1,2345", ["."]),
+    ],
+)
+def test_a_comma_before_three_figures_may_part_thousands(line, texts) -> None:
+    """The likelier reading comes first, and the message names both."""
+    with pytest.raises(StatementError) as caught:
+        parse(HEAD + line)
+    fixes = caught.value.fixes
+    assert [fix.edits[0].text for fix in fixes] == texts
+    assert all(not mistakes(mended(HEAD + line, fix)) for fix in fixes)
+    assert len(texts) == 1 or all(f"'{text.strip()}'" in caught.value.message for text in texts)
+
+
+@pytest.mark.parametrize(
+    ("line", "texts"),
+    [
         ("find v_A", ["find velocity(A)", "find speed(A)"]),
         ("find u_B", ["find velocity(B, 0)", "find speed(B, 0)"]),
         ("find v", ["find velocity(A)", "find velocity(B)"]),

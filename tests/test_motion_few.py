@@ -932,6 +932,16 @@ W = Wall("W", start=(0, 0), end=(9, 0))
             r"the wall W cuts through A at the start, at \(1, 0.25\)",
         ),
         (
+            lambda: Table.box(4, 3, [replace(A, position=(9, 9))]),
+            r.ImpossibleError,
+            r"A is outside the box at the start, at \(9, 9\): the box is from \(0, 0\) to \(4, 3\)",
+        ),
+        (
+            lambda: Table.box(4, 3, [replace(A, position=(1, -1), radius=None)], exact=True),
+            r.ImpossibleError,
+            r"A is outside the box at the start, at \(1, -1\)",
+        ),
+        (
             lambda: Table([A], [Wall("C", centre=(0, 0), radius=1)]),
             r.ImpossibleError,
             "the wall C cuts through A",

@@ -8,11 +8,13 @@ import pytest
 
 import restitution as r
 from restitution.errors import StatementError
+from restitution.explaining.mistakes.consequences import can_be_made
 from restitution.practice.questions import diagnosis, nice
 from restitution.practice.questions.choosing import next_question, sureness
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.generate import objection, practice_question
 from restitution.practice.questions.recipes import RECIPES
+from restitution.practice.questions.session import State, Wanted, chosen
 from restitution.practice.questions.topics import LEVELS, TOPICS
 
 CELLS = [(topic.id, level) for topic in TOPICS for level in LEVELS]
@@ -292,3 +294,33 @@ def test_the_second_part_on_lines_of_centres_asks_what_the_first_does_not_give()
         text = practice_question("line-of-centres", 1, seed).statement
         asked = [line for line in text.splitlines() if line.startswith("find")]
         assert asked == ["find velocity(B)", "find line_of_centres"]
+
+
+@pytest.mark.parametrize(
+    ("mistake", "topic", "said"),
+    [
+        ("momentum-sign", "wall-forward", "at level 1 it can in sphere-at-rest, spheres-moving"),
+        ("second-wall-angle", "sphere-at-rest", "at level 1 it can in walls-at-90, walls-at-60"),
+        ("energy-ratio-as-speed", "spheres-vectors", "at level 2 it can in wall-energy"),
+        ("rounding-early", "wall-forward", "alters no law"),
+    ],
+)
+def test_a_mistake_that_cannot_be_made_there_is_told(mistake, topic, said):
+    with pytest.raises(StatementError, match=said):
+        practice_question(topic, 1, 3, mistake)
+
+
+def test_a_question_for_a_mistake_is_one_in_which_it_can_be_made():
+    for mistake, topic, level in (
+        ("deflection-is-after", "wall-impulse", 3),
+        ("impulse-sign", "spheres-letters", 3),
+    ):
+        asked = practice_question(topic, level, 1, mistake)
+        assert can_be_made(mistake, asked.problem)
+
+
+def test_a_mistake_without_a_topic_chooses_one():
+    asked = chosen(Wanted(mistake="momentum-sign"), State(), 100, 2)
+    assert asked.topic == "sphere-at-rest"
+    twice = [attempt("wall-forward", 100, mistakes=["deflection-is-after"])] * 2
+    assert chosen(Wanted("wall-forward", 1), State(twice), 100, 2).topic == "wall-forward"

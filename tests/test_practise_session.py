@@ -56,6 +56,17 @@ def test_a_wrong_answer_loses_marks_and_may_be_tried_again():
     assert outcome == "next"
 
 
+def test_lines_are_counted_as_they_were_typed():
+    question = practice_question("sphere-at-rest", 2, 1)
+    assert [part.label for part in question.question.parts if part.marks] == ["a", "b"]
+    lines = ("x = 3 - 1", "v = 1", "", "y = 3", "z = 5 - 1", "", "", "quit")
+    shown = talk(question, *lines[:2], "", "", *lines[3:])[0]
+    numbered = [row for row in shown.splitlines() if row[:1].isdigit()]
+    assert [row[:1] + row[3:] for row in numbered][:4] == [
+        *("1 x = 3 - 1", "2 v = 1", "3 y = 3", "4 z = 5 - 1")
+    ]
+
+
 def test_hints_and_the_working_are_there():
     shown, _, attempt = talk(QUESTION, "hint", "show", "next")
     assert "What happens to the component" in shown or "What does e tell" in shown

@@ -120,19 +120,34 @@ def test_the_story_of_plain_numbers_is_told_once_exactly_and_once_in_numbers(mon
 
 def test_solving_keeps_what_is_solved():
     problem = r.parse(CORNER)
-    solution = r.solve(problem, time_limit=0)
+    solution = r.solve(problem, time_limit=1e-9)
     for item in solution.parts[None].items:
         assert isinstance(item.error, TimeLimitError)
-        assert "time limit of 0 s" in item.error.message
+        assert "time limit of 1e-09 s" in item.error.message
     assert r.solve(problem)["speed(P)"].error is None
     assert r.solve(problem, time_limit=1000)["speed(P)"].error is None
 
 
 def test_explaining_is_whole_or_not_at_all():
     solution = r.solve(r.parse(CORNER))
-    with pytest.raises(TimeLimitError, match="time limit of 0 s"):
-        r.explain(solution, time_limit=0)
+    with pytest.raises(TimeLimitError, match="time limit of 1e-09 s"):
+        r.explain(solution, time_limit=1e-9)
     assert str(r.explain(solution, time_limit=1000)) == str(r.explain(solution))
+
+
+@pytest.mark.parametrize("limit", [-1, -0.5, float("nan"), "5"])
+def test_a_time_limit_is_not_negative(limit):
+    problem = r.parse(CORNER)
+    with pytest.raises(ValueError, match="a time limit is"):
+        r.solve(problem, time_limit=limit)
+    with pytest.raises(ValueError, match="a time limit is"):
+        r.explain(r.solve(problem), time_limit=limit)
+
+
+def test_a_time_limit_of_0_is_none_as_in_the_command():
+    solution = r.solve(r.parse(CORNER), time_limit=0)
+    assert solution["speed(P)"].error is None
+    assert str(r.explain(solution, time_limit=0)) == str(r.explain(solution))
 
 
 def test_each_thread_has_its_own():

@@ -98,6 +98,18 @@ def limited(
         _CURRENT.reset(token)
 
 
+def seconds_of(time_limit: Any) -> float | None:
+    """A time limit as a caller gives it, in seconds; None where there is none (None, or 0).
+
+    Raises ValueError for one that is negative, or no number.
+    """
+    if time_limit is None:
+        return None
+    if not isinstance(time_limit, int | float) or not time_limit >= 0:
+        raise ValueError(f"a time limit is a number of seconds, 0 for none, and not {time_limit!r}")
+    return time_limit or None
+
+
 def spend(operations: int = 1) -> None:
     """A checkpoint: so many operations are about to be done. Raises the error of a limit."""
     limit = _CURRENT.get()

@@ -34,17 +34,24 @@ class Scripts:
 
 
 def mark(worker: Worker, scripts: Scripts, limit: float | None) -> Answer:
-    """The workings marked. What cannot be read has the status of that. Raises RefusedError."""
+    """The workings marked. What cannot be read has the status of that. Raises RefusedError.
+
+    A script of a folder that cannot be read does not stop the others.
+    """
     task = scripts.task
+    unread: list[str] = []
     _require(scripts)
     try:
         if scripts.letters is not None:
             task = replace(task, letters=_text(scripts.letters))
         if scripts.working is not None:
-            task = replace(task, workings=tuple(_workings(scripts.working)))
+            task = replace(task, workings=tuple(_workings(scripts.working, unread)))
     except StatementError as error:
         return Answer(UNREADABLE, None, (error.message,))
-    return answer(worker, scripts.question, Marking(task), limit)
+    done = answer(worker, scripts.question, Marking(task), limit)
+    if not unread:
+        return done
+    return Answer(UNREADABLE, done.content, (*unread, *done.messages))
 
 
 def _require(scripts: Scripts) -> None:
@@ -57,8 +64,11 @@ def _require(scripts: Scripts) -> None:
         raise RefusedError("a table is of workings, not of answers alone", "--csv")
 
 
-def _workings(path: str) -> Iterator[tuple[str, str]]:
-    """The scripts of a path, by name: of a folder all that end as texts do, in order of names."""
+def _workings(path: str, unread: list[str]) -> Iterator[tuple[str, str | None]]:
+    """The scripts of a path, by name: of a folder all that end as texts do, in order of names.
+
+    One of a folder that cannot be read has no text, and ``unread`` is given the reason.
+    """
     folder = Path(path)
     if path == "-" or not folder.is_dir():
         yield shown_name(path), _text(path)
@@ -69,7 +79,11 @@ def _workings(path: str) -> Iterator[tuple[str, str]]:
     if not files:
         raise StatementError(f"{path}: no scripts: their names end in {' or '.join(ENDINGS)}")
     for file in files:
-        yield file.name, _text(str(file))
+        try:
+            yield file.name, _text(str(file))
+        except StatementError as error:
+            unread.append(error.message)
+            yield file.name, None
 
 
 def _text(file: str) -> str:

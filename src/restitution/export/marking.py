@@ -5,7 +5,8 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.errors import RestitutionError, StatementError
@@ -28,10 +29,11 @@ HEADER = ("script", "part", "earned", "open", "of", "mistakes")
 class Workings:
     """Workings to be marked, each by its name, or ``answers`` alone such as ``speed(P) = 4.5``.
 
+    A working without a text (None) could not be read: a table has a row for it without marks.
     ``letters`` is the text of a letters file, ``hints`` the level of messages.
     """
 
-    workings: tuple[tuple[str, str], ...] = ()
+    workings: tuple[tuple[str, str | None], ...] = ()
     answers: tuple[str, ...] = ()
     part: str | None = None
     letters: str = ""
@@ -51,13 +53,17 @@ def written(solution: Solution, task: Workings) -> str:
     if task.answers:
         return _of_answers(mark_answers(solution, task.answers, task.part), task.form)
     letters = _letters(task.letters, solution)
-    marked = [
+    unattempted = cache(lambda label: _unattempted(solution, label, task.hints))
+    rows = [
         (name, marking)
         for name, text in task.workings
-        for marking in _marked(solution, text, task, letters)
+        for marking in (
+            [None] if text is None else _marked(solution, text, task, letters, unattempted)
+        )
     ]
     if task.form == "csv":
-        return table((name, marking) for name, marking in marked)
+        return table(rows)
+    marked = [(name, marking) for name, marking in rows if marking is not None]
     if task.form == "json":
         named = len(task.workings) > 1
         return "".join(
@@ -114,12 +120,18 @@ def marking_of(
     return {"parts": [marking.json() for marking in markings]}
 
 
-def table(marked: Iterator[tuple[str, Marking]]) -> str:
-    """Scripts and their marks as CSV, a row for each part of each."""
+def table(marked: Iterable[tuple[str, Marking | None]]) -> str:
+    """Scripts and their marks as CSV, a row for each part of each.
+
+    A script that could not be read (None) has one row, without marks.
+    """
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(HEADER)
     for name, marking in marked:
+        if marking is None:
+            rows.writerow([_cell(name), *("" for _ in HEADER[1:])])
+            continue
         marks = marking.marks
         mistakes = " ".join(dict.fromkeys(marking.mistakes))
         rows.writerow(
@@ -151,13 +163,33 @@ def _letters(text: str, solution: Solution) -> Mapping[str, Any]:
 
 
 def _marked(
-    solution: Solution, text: str, task: Workings, letters: Mapping[str, Any]
+    solution: Solution,
+    text: str,
+    task: Workings,
+    letters: Mapping[str, Any],
+    unattempted: Callable[[str | None], Marking | None],
 ) -> Sequence[Marking]:
+    """The markings of all parts of a working: a part that it does not attempt has no marks."""
     from restitution.practice.marking.marking import mark, mark_parts
 
     if task.part is not None:
         return (mark(solution, text, task.part, letters, hints=task.hints),)
-    return mark_parts(solution, text, letters, hints=task.hints)
+    attempted = {
+        marking.part: marking for marking in mark_parts(solution, text, letters, hints=task.hints)
+    }
+    markings = (attempted.get(label) or unattempted(label) for label in solution.parts)
+    return [marking for marking in markings if marking is not None]
+
+
+def _unattempted(solution: Solution, part: str | None, hints: int) -> Marking | None:
+    """The marking of a part of which there is no working; None where the part has no marks."""
+    from restitution.practice.marking.marking import mark
+
+    try:
+        marking = mark(solution, "", part, hints=hints)
+    except RestitutionError:
+        return None  # it has no answer
+    return marking if marking.marks.of else None
 
 
 def _of_answers(answers: Sequence[AnswerMark], form: Form) -> str:

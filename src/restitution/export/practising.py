@@ -11,6 +11,7 @@ from restitution.language import parse
 from restitution.practice.letters.letters_box import letters_box
 from restitution.practice.questions.choosing import next_question, sureness
 from restitution.practice.questions.generate import practice_question
+from restitution.practice.questions.shown_mistakes import shows
 from restitution.practice.questions.topics import LEVELS, topic
 from restitution.solving import solve
 
@@ -45,8 +46,10 @@ def asked(wanted: object) -> Object:
         level = _whole(fields["level"], "the level", LEVELS[0], LEVELS[-1])
     tried = sum(_is_of(attempt, name, level) for attempt in attempts)
     seed = _whole(fields.get("seed", tried + 1), "the seed", 0, _LARGEST_SEED)
-    mistake = following.mistake if name == following.topic else None
-    drawn = practice_question(name, level, seed, None if "seed" in fields else mistake)
+    mistake = None if "seed" in fields or name != following.topic else following.mistake
+    if mistake is not None and not shows(mistake, name, level):
+        mistake = None
+    drawn = practice_question(name, level, seed, mistake)
     return {
         "statement": drawn.statement,
         "topic": name,

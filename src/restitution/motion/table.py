@@ -82,11 +82,14 @@ class Table:
     ) -> Table:
         """A table with walls Left, Right, Bottom and Top, from (0, 0) to (width, height).
 
-        ``walls`` are further ones. Raises as the table does.
+        ``walls`` are further ones. Raises as the table does, and ImpossibleError for a sphere
+        outside the box.
         """
         kind: Arithmetic = ExactNumbers() if exact else Floats()
-        for size, what in ((width, "the width of the box"), (height, "the height of the box")):
-            _check_positive(kind.number(size, what), what, kind)
+        names = ("the width of the box", "the height of the box")
+        corner = Vector(*map(kind.number, (width, height), names))
+        for size, what in zip(corner, names):
+            _check_positive(size, what, kind)
         corners = {"SW": (0, 0), "SE": (width, 0), "NE": (width, height), "NW": (0, height)}
         sides = {"Left": "NW SW", "Right": "SE NE", "Bottom": "SW SE", "Top": "NE NW"}
         around = [
@@ -94,7 +97,9 @@ class Table:
             for name, ends in sides.items()
         ]
         inner = _several(walls, "the walls of a table")
-        return cls(spheres, (*around, *inner), e, coefficients or {}, exact)
+        table = cls(spheres, (*around, *inner), e, coefficients or {}, exact)
+        _check_within(table.layout, corner)
+        return table
 
     @classmethod
     def polygon(
@@ -390,6 +395,17 @@ def _check_room(layout: Layout) -> None:
                     f"the wall {obstacle.name} cuts through {ball.name} at the start, at "
                     f"{layout.shown(ball.place)} with radius {layout.shown(ball.radius)}"
                 )
+
+
+def _check_within(layout: Layout, corner: Vector) -> None:
+    """At the start no sphere is outside the box from (0, 0) to a corner."""
+    for ball in layout.balls:
+        room = layout.kind.rounding((*ball.place, *corner))
+        if not all(-room <= x <= side + room for x, side in zip(ball.place, corner)):
+            raise ImpossibleError(
+                f"{ball.name} is outside the box at the start, at {layout.shown(ball.place)}: the "
+                f"box is from (0, 0) to {layout.shown(corner)}"
+            )
 
 
 def _cuts(ball: Ball, obstacle: Obstacle, kind: Arithmetic) -> bool:

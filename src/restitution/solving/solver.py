@@ -23,15 +23,16 @@ from restitution.solving.worker import Worker, asks
 
 
 def solve(problem: Problem, time_limit: float | None = None) -> Solution:
-    """Solves every part of a problem, within ``time_limit`` seconds (None is no limit).
+    """Solves every part of a problem, within ``time_limit`` seconds (None or 0 is no limit).
 
     What cannot be answered carries its own error in the result, so that one item takes no other
     with it. Where the time runs out, items already solved are kept, and the others carry a
     TimeLimitError; the limit holds in any thread. Raises StatementError for a problem that makes no
     sense (a body that is not there, a number where a vector is needed), as reading its text would
-    have done.
+    have done, and ValueError for a negative limit.
     """
     require(problem, Problem, "solve")
+    time_limit = work.seconds_of(time_limit)
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
     with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):

@@ -12,7 +12,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.story.letters import roles
-from restitution.work import confirm, limited
+from restitution.work import confirm, limited, seconds_of
 from restitution.workings.backwards import is_told_backwards, steps_backwards
 from restitution.workings.conditions import conditions_of
 from restitution.workings.derived import steps_of
@@ -35,13 +35,14 @@ def explain(
     ``marks`` is the style in which marks are given, or ``"none"``. ``route`` chooses among the ways
     to the answers, the best being 1, and ``check`` has every line followed exactly.
 
-    It is whole, or there is none: after ``time_limit`` seconds (None is no limit; it holds in any
-    thread) TimeLimitError is raised.
+    It is whole, or there is none: after ``time_limit`` seconds (None or 0 is no limit; it holds in
+    any thread) TimeLimitError is raised.
 
     Every line is checked by numbers that satisfy the facts before it is kept. An item of which no
     line leads to the answer has the answer alone, and says so. Items without an answer are told
     with their reason. Raises UnsupportedError for the altered world of a mistake,
-    KeyError for a part that is not there, and ValueError for a style or a route that cannot be.
+    KeyError for a part that is not there, and ValueError for a style, a route or a limit that
+    cannot be.
     """
     require(solution, Solution, "explain")
     if solution.mistake is not None:
@@ -52,6 +53,7 @@ def explain(
         raise ValueError(f"there is no style of marks {marks!r}; styles: {', '.join(STYLES)}")
     if route < 1:
         raise ValueError(f"routes are counted from 1, not {route}")
+    time_limit = seconds_of(time_limit)
     solution.chosen(part)  # before anything is worked out, where there is no such part
     with limited(time_limit, error=None if time_limit is None else _too_late(time_limit)):
         derivation = awarded(plan(solution, route, partial=True), marks)

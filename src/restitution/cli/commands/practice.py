@@ -156,8 +156,9 @@ def mark(
         int, typer.Option(metavar="0..4", min=0, max=4, help="How much is said of a line.")
     ] = 1,
     form: Annotated[
-        MarkingFormat, typer.Option("--format", "-f", help="How to write the marking down.")
-    ] = MarkingFormat.text,
+        MarkingFormat | None,
+        typer.Option("--format", "-f", help="How to write the marking down; else text."),
+    ] = None,
     csv: Annotated[bool, typer.Option("--csv", help="A table: a row for each script.")] = False,
     output: Annotated[
         str, typer.Option("--output", "-o", metavar="PATH", help="- is standard output.")
@@ -170,7 +171,11 @@ def mark(
     from restitution.export.marking import Workings
 
     columns = min(shutil.get_terminal_size().columns, 100)
-    kind: Literal["text", "json", "html", "csv"] = "csv" if csv else form.value
+    if csv and form is not None:
+        raise typer.BadParameter("a table has a form of its own", param_hint="--csv / --format")
+    kind: Literal["text", "json", "html", "csv"] = (
+        "csv" if csv else (form or MarkingFormat.text).value
+    )
     task = Workings((), tuple(answers or ()), part, "", hints, kind, columns)
     with refusing(), interruptible(), worker_of(context.obj) as worker:
         done = marked(worker, Scripts(question, working, letters, task), limit(time_limit))

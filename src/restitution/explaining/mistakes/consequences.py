@@ -198,6 +198,7 @@ def altered_worlds(
     With ``part``, a label, only items of that part count. Raises StatementError for an unknown id,
     UnsupportedError, with the reason and the mistakes that apply, where there is no such world.
     """
+    time_limit = work.seconds_of(time_limit)
     worlds: list[AlteredWorld] = []
     reasons: dict[str, None] = {}
     with (
@@ -214,6 +215,7 @@ def first_world(solution: Solution, name: str, time_limit: float | None = None) 
 
     Raises what `altered_worlds` raises.
     """
+    time_limit = work.seconds_of(time_limit)
     reasons: dict[str, None] = {}
     with work.limited(time_limit, error=TimeLimitError(_LATE)):
         world = next(_worlds(solution, name, None, None, reasons, time_limit), None)
@@ -307,10 +309,12 @@ def _those_that_apply(problem: Problem) -> str:
 
 def applying(problem: Problem) -> tuple[str, ...]:
     """The ids of the mistakes that can be made in a problem."""
-    if not events_of(problem):
-        return ()
-    return tuple(
-        mistake.id
-        for mistake in MISCONCEPTIONS.values()
-        if any(v.solvable and altered(problem, v) is not None for v in mistake.variants)
+    return tuple(name for name in MISCONCEPTIONS if can_be_made(name, problem))
+
+
+def can_be_made(name: str, problem: Problem) -> bool:
+    """Whether a mistake, by its id, can be made in a problem."""
+    return bool(events_of(problem)) and any(
+        variant.solvable and altered(problem, variant) is not None
+        for variant in MISCONCEPTIONS[name].variants
     )

@@ -35,10 +35,24 @@ def _facts_at_events() -> Iterator[Slip]:
             yield "event", rf"{start},\s*(?P<r>.+))$", rest
 
 
+_AMOUNT = r"(?:\b(?:mass|radius|velocity|speed|receives|impulse)\b|[=+−-])\s*"
+_TO_999 = r"[1-9]\d{0,2}"
+
 PROPERTIES: tuple[Slip, ...] = (
     *_facts_at_events(),
     ("let", r"(?P<x>,)\s*\w+\s*=", "a line 'let' names one quantity"),
-    ("", r"(?:\bmass\b|\bradius\b|=)\s*\d+(?P<x>,)\d", Cure("a decimal point is '.'", ".")),
+    # Before three figures a comma may part thousands, or be a decimal point; nobody knows which.
+    (
+        "",
+        rf"{_AMOUNT}(?P<x>(?P<a>{_TO_999}),(?P<b>\d{{3}}))(?!,?\d|\.\d)",
+        either("{a}{b}", "{a}.{b}"),
+    ),
+    (
+        "",
+        rf"{_AMOUNT}(?P<x>(?P<a>{_TO_999}),(?P<b>\d{{3}})(?:,(?P<c>\d{{3}}))?)(?!,?\d)",
+        meant("{a}{b}{c}"),
+    ),
+    ("", rf"{_AMOUNT}\d+(?P<x>,)\d", Cure("a decimal point is '.'", ".")),
     ("point", r":\s*(?P<x>[^()\s,]+\s*,\s*[^()\s,]+)\s*$", meant("({x})")),
     (
         "given let show",

@@ -23,7 +23,7 @@ from restitution.practice.marking.showing import to_html, to_text
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.quoted import vectors_in
-from restitution.practice.reading.working import read_working
+from restitution.practice.reading.working import Working, read_working
 from restitution.practice.script import Script
 from restitution.problem import Problem
 from restitution.solving.equations.solution import Solution
@@ -54,7 +54,7 @@ class Marking(MarkingContent):
 
 def mark(
     question: Problem | Solution,
-    working: str | Sequence[str],
+    working: Working,
     part: str | None = None,
     letters: Mapping[str, Meant] | None = None,
     *,
@@ -62,10 +62,11 @@ def mark(
 ) -> Marking:
     """A student's working of one part, marked line by line and point by point.
 
-    ``working`` is text, a step a line. ``part`` is the label of the part; left out, it is the part
-    that the working opens, or the first. ``letters`` maps a letter to a quantity of the statement
-    language (``along(velocity(A), i)``) or to a phrase (``component of A along i after``).
-    ``hints`` is the level of messages, 0 to 4, for all lines or by line (None: for the next step).
+    ``working`` is text, a step a line, or lists of lines by the label of their part. ``part`` is
+    the label of the part; left out, it is the part that the working opens, or the first.
+    ``letters`` maps a letter to a quantity of the statement language (``along(velocity(A), i)``) or
+    to a phrase (``component of A along i after``). ``hints`` is the level of messages, 0 to 4, for
+    all lines or by line (None: for the next step).
 
     Raises KeyError for a part that is not there, StatementError for a meaning that cannot be read,
     and the error of a question that has no answer.
@@ -81,7 +82,7 @@ def mark(
 
 def mark_parts(
     question: Problem | Solution,
-    working: str | Sequence[str],
+    working: Working,
     letters: Mapping[str, Meant] | None = None,
     *,
     hints: int | Mapping[int | None, int] = 0,

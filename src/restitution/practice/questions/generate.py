@@ -95,7 +95,8 @@ def practice_question(
     in which the mistake shows most.
 
     ``level`` is 1 to 4, ``seed`` 0 to 10⁹. Raises StatementError for a topic, a level or a seed
-    that is not there, UnsupportedError, which names the pair, where no draw tells mistakes apart.
+    that is not there, and for a mistake that cannot be made there; UnsupportedError, which names
+    the pair, where no draw tells mistakes apart.
     """
     known = _topic(topic)
     _require(level in LEVELS, f"the level is {level}: it is 1, 2, 3 or 4")
@@ -103,6 +104,7 @@ def practice_question(
         from restitution.explaining.mistakes.misconceptions import misconception
 
         mistake = misconception(mistake).id
+        _require_shown(mistake, known, level)
     _require(0 <= seed <= MOST_SEED, f"the seed is {seed}: it is from 0 to {MOST_SEED}")
     return _question(known, level, seed, mistake)
 
@@ -119,14 +121,22 @@ def _require(holds: bool, otherwise: str) -> None:
         raise StatementError(otherwise)
 
 
+def _require_shown(mistake: str, topic: str, level: int) -> None:
+    from restitution.practice.questions.shown_mistakes import shows, why_not
+
+    if not shows(mistake, topic, level):
+        raise StatementError(why_not(mistake, topic, level))
+
+
 def _question(topic: str, level: int, seed: int, mistake: str | None) -> PracticeQuestion:
+    from restitution.explaining.mistakes.consequences import can_be_made
     from restitution.practice.questions.diagnosis import difference
     from restitution.practice.questions.dice import Dice
     from restitution.practice.questions.recipes import RECIPES
 
     recipes = RECIPES[topic, level]
     clashes: Counter[str] = Counter()
-    best: tuple[float, PracticeQuestion] | None = None
+    best: tuple[tuple[bool, float], PracticeQuestion] | None = None
     admitted = 0
     for draw in range(1, MOST_DRAWS + 1):
         dice = Dice(f"{_DRAWS}/{topic}/{level}/{seed}/{draw}")
@@ -143,10 +153,10 @@ def _question(topic: str, level: int, seed: int, mistake: str | None) -> Practic
         if mistake is None:
             return question
         admitted += 1
-        shown = difference(solution, mistake)
+        shown = can_be_made(mistake, solution.problem), difference(solution, mistake)
         if best is None or shown > best[0]:
             best = shown, question
-        if admitted == _CHOICES:
+        if admitted >= _CHOICES and best[0][0]:
             return best[1]
     if best is not None:
         return best[1]

@@ -12,8 +12,10 @@ from dataclasses import field
 from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError
+from restitution.explaining.mistakes.misconceptions import misconception
 from restitution.practice.questions.choosing import next_question
 from restitution.practice.questions.generate import MOST_SEED, PracticeQuestion, practice_question
+from restitution.practice.questions.shown_mistakes import shows, topic_that_shows
 from restitution.practice.questions.topics import LEVELS
 from restitution.records import dataclass
 from restitution.work import limited
@@ -167,7 +169,13 @@ def chosen(wanted: Wanted, state: State, day: int, seed: int) -> PracticeQuestio
     if wanted.level is not None:
         level = wanted.level
     number = seed if wanted.seed is None else wanted.seed
-    return practice_question(topic, level, number, wanted.mistake or mistake)
+    if wanted.mistake is not None:
+        mistake = misconception(wanted.mistake).id
+        if wanted.topic is None:
+            topic = topic_that_shows(mistake, topic, level)
+    elif mistake is not None and not shows(mistake, topic, level):
+        mistake = None
+    return practice_question(topic, level, number, mistake)
 
 
 def _level_in(state: State, topic: str) -> int:
@@ -288,8 +296,8 @@ class Conversation:
             self.lines[label] = list(typed)
         try:
             with limited(_MARKING, error=_LATE):
-                script = list(self._script()) if typed else [_NOTHING]
-                marking = mark(self.question.solution, script, label, hints=hints)
+                working = self.lines if typed else {label: [_NOTHING]}
+                marking = mark(self.question.solution, working, label, hints=hints)
         except RestitutionError as error:
             self.write(error.message)
             return None
@@ -298,7 +306,7 @@ class Conversation:
         self.write(str(marking))
         if typed and label not in self.first:
             self.first[label] = marking
-            self.progress.first[label] = script
+            self.progress.first[label] = list(self._script())
         return marking
 
     def _mark_again(self, labels: Sequence[str | None]) -> None:

@@ -9,8 +9,9 @@ text raises an error: what cannot be read is a line of kind ``unread`` that says
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple, TypeAlias
 
 from restitution.practice.reading.chains import Past, Statements
 from restitution.practice.reading.characters import Plain, plain
@@ -46,24 +47,32 @@ from restitution.problem import Impact, Problem
 MAX_LINES = 60
 MAX_LENGTH = 200
 
+Working: TypeAlias = str | Sequence[str] | Mapping[str | None, Sequence[str]]
+"""A working as text, as lines, or as the lines of each part by its label."""
+
+
+class _Typed(NamedTuple):
+    """A line of a working as typed; ``part`` is the label of its part where that is known."""
+
+    number: int
+    text: str
+    part: str | None
+
 
 # What has a value at every moment.
 _OF_A_MOMENT = frozenset(("speed", "velocity", "component", "momentum", "energy"))
 _WALL = re.compile(r"\s*(?:the\s+)?(?:wall|cushion|barrier)\s*:", re.IGNORECASE)
 
 
-def read_working(
-    text: str | Sequence[str], problem: Problem, declared: Collection[str] = ()
-) -> Script:
+def read_working(text: Working, problem: Problem, declared: Collection[str] = ()) -> Script:
     """The working of a question as a script: at most 60 lines of 200 characters are read.
 
     ``text`` is the working, or its lines. A ``declared`` letter stands for no other: a is not α
     then. Never raises: lines beyond the limits, and lines that
     are no mathematics, are ``unread``.
     """
-    lines = text.splitlines() if isinstance(text, str) else [str(line) for line in text]
-    typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
-    texts = with_angles([line[: MAX_LENGTH + 1] for _, line in typed[:MAX_LINES]], problem)
+    typed = list(_typed(text))[: MAX_LINES + 1]
+    texts = with_angles([line.text[: MAX_LENGTH + 1] for line in typed[:MAX_LINES]], problem)
     of_question = {*letters_of_question(problem), *declared}
     plains = [plain(without_steady_motion(text, of_question)) for text in texts]
     usage = usage_of([line.text for line in plains], problem)
@@ -81,17 +90,30 @@ def read_working(
     return replace(script, literal=without_quoted(literal, known))
 
 
+def _typed(text: Working) -> Iterator[_Typed]:
+    """The lines that are not blank; all are counted from 1."""
+    if isinstance(text, str):
+        text = text.splitlines()
+    parts = text.items() if isinstance(text, Mapping) else [(None, text)]
+    lines = ((label, str(line)) for label, own in parts for line in own)
+    for number, (label, line) in enumerate(lines, 1):
+        if line.strip():
+            yield _Typed(number, line, label)
+
+
 def _read(
-    typed: Sequence[tuple[int, str]], plains: Sequence[Plain], problem: Problem, usage: Usage
+    typed: Sequence[_Typed], plains: Sequence[Plain], problem: Problem, usage: Usage
 ) -> Script:
     reader = _Reader(problem, usage)
     plains, energies = with_energy_labels(plains, problem)
     script_lines = []
-    for place, ((number, line), shown) in enumerate(zip(typed, plains)):
+    for place, ((number, line, label), shown) in enumerate(zip(typed, plains)):
         reader.of_energy = place in energies
+        if label is not None:
+            reader.open(label)
         script_lines.append(reader.line(number, line, shown))
     if len(typed) > MAX_LINES:
-        number, line = typed[MAX_LINES]
+        number, line, _ = typed[MAX_LINES]
         fault = f"a working has at most {MAX_LINES} lines: this one and those below are not read"
         script_lines.append(ScriptLine(number, line[:MAX_LENGTH], "unread", fault=fault, column=1))
     return Script(_all_in_parts(script_lines, problem))
@@ -135,6 +157,11 @@ class _Reader:
         self.past = Past()
         self.of_energy = False
         self.change: str | None = None
+
+    def open(self, label: str) -> None:
+        """Read what follows as working of a part."""
+        if label != self.part:
+            self.part, self.scope, self.past = label, ANYWHERE, Past()
 
     def line(self, number: int, typed: str, line: Plain) -> ScriptLine:
         """One line, read."""
@@ -245,8 +272,7 @@ class _Reader:
         opened = False
         label, start = part_of(line.text, self.problem)
         if label is not None:
-            if label != self.part:
-                self.part, self.scope, self.past = label, ANYWHERE, Past()
+            self.open(label)
             line, opened = _cut(line, start, len(line.text)), True
         line = _cut(line, without_number(line.text), number_behind(line.text))
         start = case_of(line.text)
