@@ -532,3 +532,19 @@ def test_a_speed_that_stands_in_letters_has_their_values_before_it_is_squared() 
     )
     assert "Since e = ⅓, from (1): speed of P = √17 u/5" in shown
     assert "fraction lost = (u² − (√17 u/5)²)/u² = 8/25" in shown
+
+
+def test_the_method_of_a_tangent_stands_beside_it_and_not_beside_its_degrees() -> None:
+    shown = working(
+        "wall W: along j\nsphere P: mass 0.4, velocity 15 at 33° to W\nP hits W: e = 0.7\n"
+        "part a\nfind speed(P)\npart b\nfind deflection(P)"
+    )
+    assert re.search(r"= 0\.7 tan 33° M1 β ≈ [0-9.]+° Let δ", shown)
+
+
+def test_a_sum_of_what_stands_is_led_to_by_a_word() -> None:
+    shown = working(
+        "wall W: along i\nwall X: along j\nsphere P: velocity u at 40° to W\nP hits W: e = 1/2\n"
+        "P hits X: e = 1/3\nfind deflection(P, 1) + deflection(P, 2)"
+    )
+    assert " Adding: δ₁ + δ₂ ≈ " in shown

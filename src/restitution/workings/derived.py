@@ -621,11 +621,13 @@ class _Writer:
         points = tuple(
             _because(mark) for line_waiting in (*waiting, line) for mark in line_waiting.marks
         )
-        rows[-1] = replace(
-            rows[-1],
+        # Below the tangent of an angle its degrees have a row of their own.
+        own = -2 if self.ends.of(line) is None and _is_of_degrees(rows) else -1
+        rows[own] = replace(
+            rows[own],
             points=points,
-            reasons=(*rows[-1].reasons, *self.leads.behind(line), *reasons),
-            asides=(*rows[-1].asides, *self.rows.asides(line, line.number in self.conditions)),
+            reasons=(*rows[own].reasons, *self.leads.behind(line), *reasons),
+            asides=(*rows[own].asides, *self.rows.asides(line, line.number in self.conditions)),
             number="" if behind is None else str(behind),
             label=self.ends.label(line, self.said_again),
         )
@@ -648,6 +650,14 @@ def _in_degrees(claim: Relation) -> Relation:
             degrees = degrees_of(right, FIGURES_OF_ANSWERS)
             return claim if degrees is None else Relation(((Link(left, "≈", degrees),),))
     return claim
+
+
+def _is_of_degrees(rows: Sequence[Row]) -> bool:
+    """Whether the last of several rows only gives the degrees of the angle above it."""
+    if len(rows) < 2:
+        return False
+    last = rows[-1]
+    return last.signs == ("≈",) and isinstance(last.operands[-1], lay.Degrees)
 
 
 def _subject(line: Line) -> Expression | None:

@@ -273,7 +273,7 @@ class SourceLeads(LinesAround):
         return self._naming.relation(relation) if isinstance(relation, Relation) else None
 
     def _combination(self, line: Line) -> SentenceId:
-        """What a line makes of values above it: their ratio, their product, or their difference."""
+        """What a line makes of values above it: their ratio, product, sum or difference."""
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:
             case Binary("/", Quantity() as above, Quantity() as below):
@@ -281,6 +281,8 @@ class SourceLeads(LinesAround):
                 return "made.fraction-lost" if fraction else "made.ratio"
             case Binary("*", Quantity(), Quantity()):
                 return "made.product"
+            case Binary("+"):
+                return "made.sum"
             case Binary("-", Quantity(one), Quantity(other)):
                 return _DIFFERENCES.get((one, other), "made.difference")
         return "made.by-these"

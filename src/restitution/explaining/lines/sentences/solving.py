@@ -9,6 +9,7 @@ SENTENCES: Mapping[str, str] = {
     "made.percentage-lost": "Percentage of the kinetic energy that is lost:",
     "made.ratio": "Taking the ratio:",
     "made.product": "Multiplying:",
+    "made.sum": "Adding:",
     "made.difference": "Taking the difference:",
     "made.difference-of-energies": "Subtracting the energies:",
     "made.difference-of-velocities": "Subtracting the velocities:",
