@@ -99,3 +99,134 @@ def test_along_one_line_a_speed_answers_for_a_velocity(rebound: str) -> None:
     got, total = earned(BACK, *laws, rebound)
     assert got == total
     assert earned(BACK, *laws)[0] < total
+
+
+KEEPS = (
+    "sphere A: mass 2m, velocity 2u i + u j\nsphere B: mass k m, velocity -u i + 2u j\n"
+    "A hits B: along i, e = 1/2\nshow along(velocity(A), i) = (8 - 5k)u/(2(2 + k))\n"
+)
+FOUR = (
+    "sphere A: mass 4, velocity 3i + 2j\nsphere B: mass 1, velocity -2i + 4j\n"
+    "A hits B: along i, e = 1/2\nfind energy_lost, deflection(B)\n"
+)
+BOARD = "wall W\nsphere P: mass 2, velocity 7i - 4j\nP hits W\ngiven velocity(P) = 3i + 4j\n"
+WHICH = f"{BOARD}part a\nfind direction(W)\npart b\nfind impulse\n"
+SHOWN = (
+    "wall W: along i\nsphere P: mass m, velocity u at 45° to W\nP hits W\n"
+    "show speed(P)^2 = u^2 (1 + e^2)/2\n"
+)
+UNKNOWN = (
+    "sphere A: mass 3, velocity 4i + 3j\nsphere B: mass k, velocity -2i + j\n"
+    "A hits B: along i, e = 1/2\ngiven velocity(A) in the direction of -2i + 3j\nfind k\n"
+)
+LINED = (
+    "sphere A: mass 2m, velocity 5u i\nsphere B: mass 3m, at rest\nA hits B: e = 2/3\n"
+    "given direction(B) = -arctan(3/4)\nfind velocity(B)\n"
+)
+GIVEN = (
+    "wall W: along i\nsphere P: mass m, velocity u at 45° to W\nP hits W\n"
+    "given deflection(P) = 75°\nfind e\n"
+)
+EQUAL = (
+    "sphere A: mass 2, velocity 4i + 3j\nsphere B: mass 2, velocity -2i - j\nA hits B: along i\n"
+    "given energy_lost = 13.5\nfind e\n"
+)
+TURNED = (
+    "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+    "given deflection(A) = 30°\nfind e\n"
+)
+
+
+def names(statement: str, *lines: str, letters: dict[str, str] | None = None) -> list[object]:
+    """The names of the mistakes in the lines that are false."""
+    marking = restitution.mark(solution_of(statement), list(lines), letters=letters)
+    return [x["mistake"]["id"] for x in marking.json()["lines"] if x["verdict"] == "false"]
+
+
+COMPONENTS = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "A: 2u - 9ku/(2(2 + k)) = (8 + 4k - 9k)u/(2(2 + k)) = (8 - 5k)u/(2(2 + k))",
+        "A = 2u - 9ku/(2(2 + k)) = (8 - 5k)u/(2(2 + k))",
+        "A = (8 - 5k)u/(2(2 + k))",
+    ],
+)
+def test_the_name_of_a_sphere_stands_for_its_component(line: str) -> None:
+    laws = ("4u - ku = 2v + kw", "w - v = 3u/2", "2v + k(v + 3u/2) = 4u - ku")
+    assert verdicts(KEEPS, *laws, line) == ["true"] * 4
+    got, total = earned(KEEPS, *laws, line)
+    assert got == total
+
+
+def test_the_name_of_a_sphere_before_a_calculation_accuses_nobody() -> None:
+    assert verdicts(FOUR, "A: 4×3 - 4×1.5 = 6") == ["true"]
+
+
+def test_energies_before_and_after_may_both_be_of_the_components_along_the_line() -> None:
+    before, after = "KE before = 18 + 2 = 20", "KE after = ½(4)(1.5)² + ½(1)(4)² = 12.5"
+    assert verdicts(FOUR, f"{before} (along i only)", after, "KE lost = 7.5") == ["true"] * 3
+    assert verdicts(FOUR, before, "KE after = ½(4)(2.5²) + ½(1)(32) = 28.5")[0] == "false"
+
+
+def test_a_result_with_a_nought_behind_its_point_is_rounded() -> None:
+    pair = (
+        "sphere A: mass 2, velocity 10 at 30°\nsphere B: mass 3, velocity 4 at 120°\n"
+        "A hits B: along i, e = 0.4\nfind speed(A)\n"
+    )
+    marking = restitution.mark(solution_of(pair), ["w = 4.0"], letters=COMPONENTS)
+    assert marking.json()["lines"][0]["verdict"] == "true"
+
+
+def test_a_sum_of_squares_is_on_the_way_to_a_printed_product() -> None:
+    assert verdicts(SHOWN, "v² = u²/2 + (eu/√2)²") == ["true"]
+    assert earned(SHOWN, "u/√2 and eu/√2", "v² = u²/2 + (eu/√2)²") == (3, 4)
+
+
+def test_a_divisor_may_end_at_a_space() -> None:
+    assert verdicts(LINED, "n = 0.8i - 0.6j", "vB = 8mu/3m n") == ["true"] * 2
+
+
+@pytest.mark.parametrize(
+    "line", ["wall ∥ i + ½j", "wall direction = 2i + j", "impulse = -8i + 16j, ⟂ to wall"]
+)
+def test_ways_of_a_wall(line: str) -> None:
+    assert restitution.mark(solution_of(WHICH), [line], "a").json()["lines"][0]["verdict"] == "true"
+
+
+def test_a_formula_in_words_within_a_chain_is_passed_over() -> None:
+    chain = "J = m × (sum of perp speeds) = 2(15/√5 + 5/√5) = 8√5 Ns"
+    marking = restitution.mark(solution_of(WHICH), [chain], "b", letters={"J": "impulse"})
+    assert marking.json()["lines"][0]["verdict"] == "true"
+
+
+def test_a_value_is_solved_wrongly_from_the_equation_before_it() -> None:
+    assert names(TURNED, "so v = 0", "1 - 2e = 0, e = 2", letters=COMPONENTS) == ["algebra"]
+    assert names(UNKNOWN, "12 - 2k = -6 + k", "12 - 6 = 3k") == ["sign"]
+    lines = ("v = 1 - 3e and w = 1 + 3e", "20 - (1 - 3e)² - (1 + 3e)² = 13.5", "18 - 9e² = 13.5")
+    assert names(EQUAL, *lines, letters=COMPONENTS) == ["algebra"]
+
+
+def test_a_mass_left_out_of_one_sphere_is_no_sign() -> None:
+    above = ("v = -2", "w = 1")
+    wrong = {"4 - 2k = -2 + k": "mass-omitted", "12 + 2k = -6 + k": "momentum-sign"}
+    for line, name in wrong.items():
+        assert names(UNKNOWN, *above, line, letters=COMPONENTS) == [name]
+
+
+def test_a_law_is_seen_by_its_terms() -> None:
+    (line,) = restitution.mark(solution_of(UNKNOWN), ["w + 2 = 3"], letters=COMPONENTS).json()[
+        "lines"
+    ]
+    assert line["principle"] == "restitution"
+
+
+def test_mistakes_that_have_one_value_by_chance() -> None:
+    cosine = "cos(deflection(B)) = (8 + 16)/(√20 √32)"
+    assert names(FOUR, cosine) == ["sign"]
+    both = "KE lost = ½(4)(3² - 1.5²) + ½(1)(2² - 4²) = 13.5 + 6 = 19.5"
+    assert names(FOUR, both) != ["energy-one-sphere"]
+    assert names(LINED, "A along: 5u × 3/5 = 3u") == ["sine-cosine"]
+    assert names(GIVEN, "tan 75 = e tan 45") == ["deflection-is-after"]

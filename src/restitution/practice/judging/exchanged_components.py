@@ -66,25 +66,31 @@ def is_kept_by_sines(entry: Entry, world: World) -> bool:
 
 
 def is_speed_in_other_ratio(entry: Entry, world: World) -> bool:
-    """Whether the speed before is resolved in the ratio of the other component: ``along ½u``.
+    """Whether a speed is resolved in the ratio of the other component: ``along ½u``.
 
-    Of a component before an impact, for which a phrase without a time may stand.
+    That of the moment itself, or, as a phrase without a time may stand for it, of the one before.
     """
     meant = unsigned(meant_by(entry))
     if not is_component(meant) or entry.claim.sign != "=":
         return False
     match meant.arguments:
-        case (Quantity("velocity", body, int(stage)), axis) if stage:
-            before = Quantity("velocity", body, stage - 1)
+        case (Quantity("velocity", body, int(stage)), axis):
+            stages = (stage, stage - 1) if stage else (stage,)
         case _:
             return False
     typed = entry.claim.right
-    speed = Quantity("speed", body, stage - 1)
-    if not any(has_value(speed, factor, entry, world) for factor in _factors_in(typed)):
-        return False
+    factors = tuple(_factors_in(typed))
     other = "across" if meant.kind == "along" else "along"
-    size = Apply("abs", Quantity(other, (before, axis)))
-    return has_value(size, Apply("abs", typed), entry, world)
+    return any(
+        has_value(
+            Apply("abs", Quantity(other, (Quantity("velocity", body, moment), axis))),
+            Apply("abs", typed),
+            entry,
+            world,
+        )
+        for moment in stages
+        if any(has_value(Quantity("speed", body, moment), x, entry, world) for x in factors)
+    )
 
 
 def _factors_in(tree: Expression) -> Iterator[Expression]:

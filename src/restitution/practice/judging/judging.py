@@ -52,7 +52,7 @@ from restitution.practice.judging.misreading import (
 from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.scaling import sizes_taken
 from restitution.practice.judging.slips import misreadings, read_as_datum
-from restitution.practice.judging.typed_energies import of_whole_energies
+from restitution.practice.judging.typed_energies import of_energies_along, of_whole_energies
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
 from restitution.practice.letters.letters import meanings_of
@@ -191,8 +191,16 @@ class _Sitting(AskedLetters):
     def _with_whole_energies(
         self, judge_: Judge, lines: tuple[JudgedLine, ...]
     ) -> tuple[Judge, tuple[JudgedLine, ...]]:
-        """The lines with energies of one kind: of whole speeds after, where they are so before."""
+        """The lines with energies of one kind, before and after: whole ones, or along a line."""
         script = of_whole_energies(lines)
+        along = None if script else of_energies_along(lines, judge_.base.problem)
+        if along is not None:
+            best = self.meanings.best
+            best = replace(best, meanings=(*best.meanings, *along[1]))
+            other, new = self._judged(along[0], best)
+            if not any(line.verdict == "false" for line in new):
+                self.script, self.meanings = along[0], replace(self.meanings, best=best)
+                return other, new
         if script is None:
             return judge_, lines
         self.script = script

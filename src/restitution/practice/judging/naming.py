@@ -37,7 +37,11 @@ from restitution.practice.judging.certain_letters import is_root_of_a_sum
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
-from restitution.practice.judging.exchanged_components import is_kept_by_sines, is_sine_for_cosine
+from restitution.practice.judging.exchanged_components import (
+    is_kept_by_sines,
+    is_sine_for_cosine,
+    is_speed_in_other_ratio,
+)
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
 from restitution.practice.judging.more_usual import more_usual_than
@@ -92,7 +96,11 @@ from restitution.practice.judging.solved_values import (
 )
 from restitution.practice.judging.squares import is_worth
 from restitution.practice.judging.typed_energies import are_energies, is_halved, is_what_is_left
-from restitution.practice.judging.written_laws import is_written_momentum
+from restitution.practice.judging.written_laws import (
+    has_terms_of_other_sizes,
+    is_written_momentum,
+    leaves_out_one_mass,
+)
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.phrase_names import is_phrase, is_relative
@@ -138,7 +146,8 @@ class Names:
         mended = tuple(mending(entry, judge))
         parts = {text_of(correction.part) for correction in mended}
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
-        whole = is_whole_speed(entry, judge.base)
+        exchanged = is_speed_in_other_ratio(entry, judge.base)
+        whole = not exchanged and is_whole_speed(entry, judge.base)
         squares = any(map(is_root_of_a_sum, walk(entry.claim.right)))
         squares = squares and not is_coefficient(entry)  # e may be taken for a ratio of speeds
         law = not squares and is_law_of_speeds(entry, judge.base)
@@ -149,6 +158,11 @@ class Names:
         alone = alone or is_turned_loss(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
         variants = tuple(v for v in variants if not cannot_be(v, entry, judge.base))
+        slip = kind_of_slip(entry, judge, mended)
+        worlds = (judge.base, *judge.students()) if variants or slip == "sign" else ()
+        unlike = bool(worlds) and all(has_terms_of_other_sizes(entry, x) for x in worlds)
+        if unlike:
+            variants = tuple(x for x in variants if x.mistake != "momentum-sign")
         of_signs = {variant.mistake for variant in variants} - _OF_SPEEDS
         at_wall = any(variant.event.wall for variant in variants)  # there a sign is the law
         if of_signs and of_signs <= OF_SIGNS and not (at_wall or self._is_of_impulse(entry)):
@@ -163,7 +177,6 @@ class Names:
                 variant for variant in variants if variant.mistake == "speed-for-component"
             )
         plainer = whole or law or (unresolved and not variants)
-        slip = kind_of_slip(entry, judge, mended)
         if slip == "arithmetic" and is_sum_of_angles(entry) and not is_deflection(entry):
             slip = None  # which angles they are is wrong, and not their sum
         if is_inverse_of_the_opposite(entry, judge.entries):
@@ -177,6 +190,8 @@ class Names:
         plain = plainly(entry, judge.base, judge.entries, mended)
         if plain == "restitution-inverted" and _is_solved_wrongly(entry, judge):
             plain = None
+        if plain == "sine-cosine" and is_worked_angle(entry) and slip == "sign":
+            plain = None  # cos δ = (8 + 16)/(√20√32), which is sin δ by chance
         if {variant.mistake for variant in variants} == _OF_A_KEPT_SIZE:
             omitted = tuple(v for v in variants if v.mistake == "restitution-omitted")
             variants = omitted if has_kept_across(variants[0].event.number, judge) else variants
@@ -192,7 +207,10 @@ class Names:
             variants = of_this_part(variants, judge.base)
         squared = families == {"deflection-is-after"} and any(x.change == "square" for x in mended)
         kept = is_what_is_left(entry, judge.base)
-        if squared or kept or goes_on_from_true_line(entry, judge):
+        if unlike and not variants and leaves_out_one_mass(entry, judge.base):
+            plain = "mass-omitted"
+        solved = goes_on_from_true_line(entry, judge)
+        if squared or kept or solved:
             variants, plain = (), None
         if plain in _OF_SPEEDS and squares:
             plain = None
@@ -203,7 +221,8 @@ class Names:
         plain = None if variants else plain
         if (blown := of_given_impulse(entry, judge.base)) is not None:
             variants, plain = (), blown
-        if families != {"sine-cosine"} and is_sine_for_cosine(entry, judge.base):
+        exchanged = exchanged or is_sine_for_cosine(entry, judge.base)
+        if families != {"sine-cosine"} and exchanged:
             variants = tuple(variant for variant in variants if variant.mistake in _OF_ANGLES)
             plain = None if variants else "sine-cosine"
         if of_deflection:
@@ -214,7 +233,7 @@ class Names:
             variants, plain = (), "speed-for-component"
         if variants and all(leaves_out_across(x, entry, judge.base) for x in variants):
             variants, plain = (), "across-changed"
-        if not variants and not plain and slip == "sign":
+        if not variants and not plain and slip == "sign" and not (solved or unlike):
             plain = sign_of_a_component(entry, judge.base, mended, near)
             left, right = entry.claim.left, entry.claim.right
             within = any(correction.part not in (left, right) for correction in mended)

@@ -21,26 +21,30 @@ from restitution.problem import Impact
 def is_deflection_as_angle(entry: Entry, world: World) -> bool:
     """Whether the tangent of a deflection has the value of that of the angle after the impact.
 
-    Either angle is one to the line of centres: ``tan 30° = usinθ/v`` for a sphere turned by 30°.
+    That is one to the line of centres, ``tan 30° = usinθ/v`` for a sphere turned by 30°, or to a
+    wall: ``tan 75° = e tan 45°``.
     """
     left = entry.claim.left
     if not is_function(left, "tan"):
         return False
+    walled = {number for number, _ in world.wall_impacts()}
     for number in world.lines:
         line = Quantity("line_of_centres", (), number)
         for name in world.start:
             velocity = Quantity("velocity", (Name(name),), number)
-            after = Apply("tan", Quantity("angle", (velocity, line)))
+            angle = Quantity("angle", (velocity, line))
             turned = Quantity("deflection", (Name(name),), number)
-            try:
-                if (
-                    has_value(after, entry.claim.right, entry, world)
-                    and has_value(turned, left.argument, entry, world)
-                    and not has_value(after, left, entry, world)
-                ):
-                    return True
-            except RestitutionError:
-                continue
+            ratios = ("tan", "cot") if number in walled else ("tan",)
+            for after in (Apply(ratio, angle) for ratio in ratios):
+                try:
+                    if (
+                        has_value(after, entry.claim.right, entry, world)
+                        and has_value(turned, left.argument, entry, world)
+                        and not has_value(after, left, entry, world)
+                    ):
+                        return True
+                except RestitutionError:
+                    continue
     return False
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from itertools import permutations
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -216,12 +216,16 @@ def _product(one: Expression, other: Expression) -> Expression:
 
 
 def has_energies_of_both(entry: Entry, world: World) -> bool:
-    """Whether one term of a sum is the energy of a body, or twice that, and another is not."""
+    """Whether one term of a sum is the energy of a body, or twice that, and another is not.
+
+    Or it is what a body loses or gains of its energy.
+    """
     terms = list(_terms(entry.claim.right))
     sizes = [_size(term, entry, world) for term in terms]
     stages = range(len(world.events) + 1)
     for body in world.start:
         energies = [world.scalar(Quantity("energy", (Name(body),), stage)) for stage in stages]
+        energies += [np.abs(one - other) for one, other in combinations(energies, 2)]
         known = [size for size in sizes if size is None or np.all(size > _TINY)]
         own = [
             size is not None

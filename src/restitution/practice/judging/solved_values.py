@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,6 +12,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Binary,
+    Expression,
     Letter,
     Quantity,
     is_binary,
@@ -24,6 +25,7 @@ from restitution.practice.judging.claimed import meant_by
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.explained import JudgedSoFar
+from restitution.practice.reading.relations import worked_out
 from restitution.practice.worlds.world import World
 from restitution.problem import Value
 
@@ -57,9 +59,13 @@ def goes_on_from_true_line(entry: Entry, judge: JudgedSoFar) -> bool:
     Below ``(3 - 3k)/(1 + k) = -1`` a wrong ``3 - 3k = -1 + k`` is a slip in algebra.
     """
     above = judge.entries[-1] if judge.entries else None
-    if above is None or not above.right or above.number == entry.number:
+    if above is None or not above.right:
         return False
     if {entry.claim.sign, above.claim.sign} != {"="}:
+        return False
+    if is_solved_from(entry, above, judge.base):
+        return True
+    if above.number == entry.number:
         return False
     sides = [above.claim.left, above.claim.right]
     sides += [side.left for side in sides if is_binary(side, "/")]
@@ -67,6 +73,38 @@ def goes_on_from_true_line(entry: Entry, judge: JudgedSoFar) -> bool:
     # A single product, such as u cos α, stands in more than one law.
     long = [side for side in sides if is_binary(side, "+", "-") and letters(side) & unknown]
     return any(side in long for side in (entry.claim.left, entry.claim.right))
+
+
+def is_solved_from(entry: Entry, above: Entry, world: World) -> bool:
+    """Whether a claim solves a true equation for its only unknown: ``1 - 2e = 0, e = 2``.
+
+    On the way there it has a number of the equation as a term: ``12 - 6 = 3k`` below
+    ``12 - 2k = -6 + k``.
+    """
+    claim, unknown = entry.claim, world.determined | entry.meanings.keys()
+    sides, sides_above = ((x.left, x.right) for x in (claim, above.claim))
+    own, other = (
+        {name for side in both for name in letters(side)} & unknown for both in (sides, sides_above)
+    )
+    if len(own) != 1 or own != other or above.is_value or claim.left == above.claim.right:
+        return False
+    if isinstance(claim.left, Letter) and not letters(claim.right):
+        return True
+    numbers, known = (
+        {abs(x) for side in both for term in _terms(side) if (x := worked_out(term))}
+        for both in (sides, sides_above)
+    )
+    return not (numbers & known).issubset({1})
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case _:
+            yield tree
 
 
 def _factor(entry: Entry, world: World) -> Fraction | None:

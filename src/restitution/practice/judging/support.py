@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Degrees, Expression, is_function, walk
+from restitution.expression.tree import Degrees, Expression, is_binary, is_function, walk
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.letters.options import staged
@@ -74,6 +74,16 @@ def _gives_angle(above: Entry, entry: Entry) -> bool:
     if is_function(own, "sin", "cos", "tan"):
         return own.argument == angle
     return own != angle and above.is_value and above.claim.right == entry.claim.right
+
+
+def is_sum_for_product(own: Expression, printed: Expression) -> bool:
+    """Whether a side is a sum that ends in a square, ``u²/2 + (eu/√2)²``, and what is printed none.
+
+    It is on the way to what is printed.
+    """
+    if not is_binary(own, "+") or is_binary(printed, "+", "-"):
+        return False
+    return is_binary(own.right, "^")
 
 
 class Support:
@@ -152,9 +162,10 @@ class Support:
     def _equal(self, entry: Entry, own: Expression, other: Expression, now: int) -> bool:
         """Whether two trees have one value whatever happens, and the first is as short.
 
-        A speed is its only component too, where bodies are smooth.
+        A speed is its only component too, where bodies are smooth. A sum of squares for a product
+        is a line on the way.
         """
-        if len(walk(own)) > len(walk(other)) + _LONGER:
+        if len(walk(own)) > len(walk(other)) + _LONGER or is_sum_for_product(own, other):
             return False
         return any(
             self._equal_in(world, entry, own, other, now) for world in (self.scattered, self.smooth)

@@ -20,13 +20,16 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judgement import JudgedLine
+from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.reading.relations import worked_out
+from restitution.practice.reading.vocabulary import HEADS, STAGES
 from restitution.practice.script import Script, ScriptLine
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given
+from restitution.problem import Compare, Given, Problem
 
 _TWO = Number(Fraction(2))
 
@@ -153,6 +156,67 @@ def of_whole_energies(lines: Sequence[JudgedLine]) -> Script | None:
             _without_along(line.line) if line.line.number in along else line.line for line in lines
         )
     )
+
+
+def of_energies_along(
+    lines: Sequence[JudgedLine], problem: Problem
+) -> tuple[Script, tuple[Meaning, ...]] | None:
+    """A script in which the energies before and after are of the components along the line.
+
+    So they are where both leave the others out: what is lost is right. With it is what its
+    phrases mean. None where one energy has all components.
+    """
+    partial = {
+        line.line.number: energy
+        for line in lines
+        if line.verdict == "false" and line.mistake is not None
+        if line.mistake.id == "energy-component-missing"
+        if (energy := _energy_along(line.line, problem)) is not None
+    }
+    stages = {
+        stage
+        for line in lines
+        for stage in ("before", "after")
+        if line.line.number in partial and stage in _label(line.line).split()
+    }
+    whole = any(
+        HEADS.get(words[0]) == "energy" and not STAGES.keys().isdisjoint(words)
+        for line in lines
+        if line.verdict == "true" and (words := _label(line.line).split())
+    )
+    if stages != {"before", "after"} or whole:
+        return None
+    renamed = Script(
+        tuple(
+            _with_label(line.line, partial[number].letter) if number in partial else line.line
+            for line in lines
+            for number in (line.line.number,)
+        )
+    )
+    return renamed, tuple(dict.fromkeys(partial.values()))
+
+
+def _label(line: ScriptLine) -> str:
+    """The phrase with which a line begins; nothing where it begins with none."""
+    left = line.links[0].readings[0].left if line.links else None
+    return left.name.casefold() if isinstance(left, Letter) and is_phrase(left.name) else ""
+
+
+def _energy_along(line: ScriptLine, problem: Problem) -> Meaning | None:
+    """The energy that a line names, of the components along the line of centres alone."""
+    label = _label(line)
+    if not label or _ALONG in label:
+        return None
+    name = f"{label} {_ALONG}"
+    energy = next(iter(read_phrase(name, problem, line.scope.event)), None)
+    return None if energy is None else Meaning(name, energy, name, "default")
+
+
+def _with_label(line: ScriptLine, label: str) -> ScriptLine:
+    """A line whose first relation begins with another label."""
+    first, *others = line.links
+    readings = tuple(replace(claim, left=Letter(label)) for claim in first.readings)
+    return replace(line, links=(replace(first, readings=readings), *others))
 
 
 def _without_along(line: ScriptLine) -> ScriptLine:

@@ -26,11 +26,11 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.entries import Entry, is_numeric, sources_of
-from restitution.practice.judging.exchanged_components import is_speed_in_other_ratio
 from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.journeys import Journeys
 from restitution.practice.judging.judged_link import JudgedLink
 from restitution.practice.judging.plain_impulses import is_change_of_momentum
+from restitution.practice.judging.solved_values import is_solved_from
 from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
@@ -65,14 +65,15 @@ class Unlabelled(Journeys):
                 return JudgedLink("follows", other, grade, sources, meant=((label.name, tree),))
         return None
 
-    def _explained_otherwise(self, entry: Entry, known: Explained) -> Explained | None:
+    def _explained_otherwise(
+        self, entry: Entry, known: Explained, before: Sequence[Entry]
+    ) -> Explained | None:
         """What explains an energy in words as one at another moment: ``KE before = 0.5 × 100``.
 
-        Or a component as that at right angles to it before the impact: ``along ½u``.
+        A value that the equation ``before`` it on its line decides is solved wrongly.
         """
-        named = bool(known.variants or known.plain)
-        if not named and is_speed_in_other_ratio(entry, self._base):
-            return Explained(plain="sine-cosine")
+        if before and is_solved_from(entry, before[-1], self._base):
+            return replace(known, variants=(), plain=None)
         left = entry.claim.left
         if not known.is_empty or not (isinstance(left, Letter) and is_phrase(left.name)):
             return None

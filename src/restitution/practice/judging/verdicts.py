@@ -60,6 +60,7 @@ from restitution.practice.judging.other_forms import (
     without_divisors,
 )
 from restitution.practice.judging.own_values import Naming
+from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.support import Support
 from restitution.practice.judging.supposing import (
     answer_in,
@@ -393,7 +394,7 @@ class Judge(Unlabelled):
         if is_loss_of_known(entry, [*self.entries, *beside]):
             return Explained(slip="arithmetic", near=(Use("energy"),))
         explained = self.naming.explained(entry, self)
-        if (other := self._explained_otherwise(entry, explained)) is not None:
+        if (other := self._explained_otherwise(entry, explained, beside[:place])) is not None:
             return other
         start = end = place
         while start and goes_on(links[start - 1], links[start]):
@@ -411,7 +412,7 @@ class Judge(Unlabelled):
         for link in links[place : end + 1] if quoted else ():
             whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
             other = self.naming.explained(whole, self)
-            if other.variants:
+            if any(not cannot_be(variant, entry, self._base) for variant in other.variants):
                 return other
         return explained
 

@@ -16,8 +16,9 @@ from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
-# What a line is said to use where too little is left open in it for a law to be seen.
-_OTHERWISE = frozenset({"solve", "unchanged", "fact", "component"})
+# What a line is said to use where too little is left open in it for a law to be seen. By chance
+# ``w + 2 = 3`` holds by momentum as well, of which it has no terms.
+_OTHERWISE = frozenset({"solve", "unchanged", "fact", "component", "momentum"})
 _NEAR, _TINY = 0.005, 1e-9
 _LEAST = 3
 
@@ -50,6 +51,49 @@ def is_written_momentum(entry: Entry, world: World) -> bool:
     )
 
 
+def has_terms_of_other_sizes(entry: Entry, world: World) -> bool:
+    """Whether an equation has as many terms as there are momenta, and other ones.
+
+    In ``4 - 2k = -2 + k`` it is a mass that is left out, and no sign.
+    """
+    for number, spheres in _pairs_of(world):
+        momenta = _momenta(world, number, spheres, Quantity("line_of_centres", (), number))
+        alike = _terms_for(momenta or (), entry)
+        if alike is not None:
+            return not _have_sizes(alike, momenta or (), entry, world)
+    return False
+
+
+def leaves_out_one_mass(entry: Entry, world: World) -> bool:
+    """Whether the terms of a claim are the momenta of two spheres, of one without its mass."""
+    for number, spheres in _pairs_of(world):
+        momenta = _momenta(world, number, spheres, Quantity("line_of_centres", (), number))
+        alike = _terms_for(momenta or (), entry)
+        if alike is None or momenta is None or _have_sizes(alike, momenta, entry, world):
+            continue
+        for place, body in enumerate(spheres):
+            mass = world.scalar(Quantity("mass", (Name(body),)))
+            own = [x / mass if n // 2 == place else x for n, x in enumerate(momenta)]
+            if _have_sizes(alike, own, entry, world):
+                return True
+    return False
+
+
+def _terms_for(momenta: Sequence[Array], entry: Entry) -> Sequence[Sequence[Expression]] | None:
+    """The terms of an equation, if there are as many as there are momenta that are not zero."""
+    count = sum(bool(np.all(np.abs(own) > _TINY)) for own in momenta)
+    alike = [terms for terms in terms_of(entry.claim) if len(terms) == count > _LEAST]
+    return alike if alike and _is_open(entry) else None
+
+
+def _have_sizes(
+    alike: Sequence[Sequence[Expression]], wanted: Sequence[Array], entry: Entry, world: World
+) -> bool:
+    """Whether terms, in one of their forms, have these sizes that are not zero."""
+    moving = [np.abs(own) for own in wanted if np.all(np.abs(own) > _TINY)]
+    return any(have_sizes(terms, moving, entry, world) for terms in alike)
+
+
 def _is_open(entry: Entry) -> bool:
     """Whether a claim is an equation with a letter in a sum."""
     sides = entry.claim.left, entry.claim.right
@@ -73,6 +117,19 @@ def _is_momentum(
     entry: Entry, world: World, number: int, spheres: Sequence[str], axis: Expression
 ) -> bool:
     """Whether the terms of a claim are the momenta along an axis, before and after."""
+    momenta = _momenta(world, number, spheres, axis)
+    if momenta is None:
+        return False
+    pairs = zip(momenta[::2], momenta[1::2], strict=True)
+    if all(np.all(np.abs(before - after) <= _TINY) for before, after in pairs):
+        return False  # across the line of centres each keeps its own
+    return _has_terms(entry, world, momenta)
+
+
+def _momenta(
+    world: World, number: int, spheres: Sequence[str], axis: Expression
+) -> list[Array] | None:
+    """The momenta of two spheres along an axis, each before and after; None without a value."""
     momenta: list[Array] = []
     for body, stage in product(spheres, (number - 1, number)):
         part = Quantity("along", (Quantity("velocity", (Name(body),), stage), axis))
@@ -80,11 +137,8 @@ def _is_momentum(
         try:
             momenta.append(world.spread(world.scalar(momentum)))
         except RestitutionError:
-            return False
-    pairs = zip(momenta[::2], momenta[1::2], strict=True)
-    if all(np.all(np.abs(before - after) <= _TINY) for before, after in pairs):
-        return False  # across the line of centres each keeps its own
-    return _has_terms(entry, world, momenta)
+            return None
+    return momenta
 
 
 def _is_restitution(entry: Entry, world: World, number: int, spheres: Sequence[str]) -> bool:

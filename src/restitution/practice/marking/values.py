@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
+from restitution.practice.judging.support import is_sum_for_product
 from restitution.practice.marking.alternatives import Alternatives
 from restitution.practice.marking.line_contents import Match, numbers_into_a_wall
 from restitution.practice.marking.lines import is_slip, ratios_of_angles
@@ -631,6 +632,8 @@ class Values(Alternatives):
         for chain in chains(line):
             first, last = chain[0].left, chain[-1].right
             for left, right in ((first, last), (last, first)):
+                if is_sum_for_product(right, link.right):
+                    continue
                 shares = self._is_share_of(left, link.left, meanings, line)
                 if (shares or self._names(left, link.left, meanings, line)) and self._names(
                     right, link.right, meanings, line

@@ -38,9 +38,12 @@ def _is_signed(tree: Expression) -> bool:
 
 
 def worths_of(body: str, value: Expression, problem: Problem) -> tuple[Side, ...]:
-    """What a number behind the name of a sphere may be: its speed, a component, an energy."""
-    phrases = [f"speed of {body}"]
-    phrases += [f"component of {body} along"] if _is_signed(value) else []
+    """What a number behind the name of a sphere may be: its speed, a component, an energy.
+
+    What may be negative is a component first.
+    """
+    phrases = [f"component of {body} along"] if _is_signed(value) else []
+    phrases += [f"speed of {body}"]
     phrases += [f"KE of {body} {when}" for when in ("before", "after") if asks_energy(problem)]
     return tuple(Side(Letter(phrase)) for phrase in phrases)
 

@@ -334,7 +334,7 @@ class Chains:
         of_body = name is not None and name.kind == "name" and self.body_of(name) is not None
         if name is not None and of_body and self._is_moving(read[1][0].tree):
             read[0] = vectors_of(name.name, self.problem)  # A = 3i - j
-        elif name is not None and of_body and is_numeric(read[1][0].tree):
+        elif name is not None and of_body and letters(read[1][0].tree) <= self.usage.letters:
             read[0] = (
                 *worths_of(name.name, read[1][0].tree, self.problem),
                 *read[0],
@@ -489,7 +489,8 @@ class Chains:
         evaluates = all(letters(sides[0].tree) <= known for sides in read[1:])
         lost = any(HEADS.get(word) == "loss" for word in label.name.split())
         law = is_law(read) and not (lost and known <= self.usage.letters)
-        evaluates = evaluates and set(signs) == {"="} and not law
+        worked = evaluates and set(signs) == {"="}
+        evaluates = worked and not law
         if label.kind == "name":
             product = is_binary(first, "*")  # as mass × velocity is
             if evaluates and not product and self._is_moving(first) and self.body_of(label):
@@ -497,6 +498,10 @@ class Chains:
             elif evaluates and _is_root(first) and self.body_of(label):
                 speed = Side(self.label_tree(label, read[0], sides[0]))
                 self.link((speed,), "=", read[0], sides[0], label)
+            elif worked and is_binary(first, "+", "-") and self.body_of(label):
+                # A: 3 - 1.5 = 1.5 is its component, if it is worth that.
+                worths = worths_of(label.name, first, self.problem)
+                self.link((*worths, *read[0]), "=", read[0], sides[0], label)
             return
         evaluates = evaluates and not (
             _is_way(label)

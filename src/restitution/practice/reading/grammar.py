@@ -194,9 +194,13 @@ class Parser(Cursor):
         if self.begins_factor() and self.kind() not in ("unit", "phrase"):
             whole = self.wants_whole(above, first)
             if self.choose("quotient") ^ whole:
+                glued = False
                 while self.begins_factor() and self.kind() not in ("unit", "phrase"):
                     if self.kind() == "(" and self.choose("brackets behind a denominator"):
                         break
+                    if glued and self.token().gap and self.choose("space behind a denominator"):
+                        break  # 8u/3m n
+                    glued = not self.token().gap
                     below = self.multiplied(below, self.factor(), None)
                 if wide and self.is_within() and not self.choose("division"):
                     inner = self.take()

@@ -21,6 +21,8 @@ def read_as(claims: Sequence[Claim]) -> str | None:
     text = ""
     last: Claim | None = None
     for claim in claims:
+        if claim.left == claim.right and len(claims) > 1:
+            continue
         sign = _SIGNS.get(claim.sign, claim.sign)
         right = " or ".join(text_of(tree) for tree in (claim.right, *claim.others))
         if last is not None and last.leads_to(claim):

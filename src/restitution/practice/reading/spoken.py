@@ -173,6 +173,12 @@ _TITLE_OF_RATIO = re.compile(
 # How far apart centres are, which is no component along them.
 _APART = re.compile(r"\b(?:the\s+)?cent(?:re|er)s\s+are\s+[\w./]+\s+apart\b")
 _RATIOS = re.compile(r"^\s*(\w{1,4})\s*:\s*(\w{1,4})\s*=\s*([-−]?\s?\d+)\s*:\s*([-−]?\s?\d+)\s*$")
+# A formula in words within a chain: J = m × (sum of the speeds) = 2(5 + 3).
+_FORMULA = re.compile(
+    r"=\s*(?:m|mass)\s*[×x*]?\s*\(?\s*(?:the\s+)?(?:sum|difference|change)\s+(?:of|in)\s+(?:the\s+)?"
+    r"(?:[a-z]+\.?\s+){0,2}(?:speeds?|velocit(?:y|ies)|vels?|comp(?:onent)?s?)\s*\)?\s*(?==)",
+    re.IGNORECASE,
+)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
@@ -466,5 +472,6 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (shares.SPEEDS, shares.speeds_of_bodies),
     (shares.ROOT_OF_A_BODY, shares.root_of_a_body),
     (shares.AT_A_WALL, shares.at_a_wall),
+    (_FORMULA, lambda _, __: ""),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )

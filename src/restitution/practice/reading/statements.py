@@ -404,8 +404,8 @@ class _Reader(Chains):
             self.link((Side(angle),), "=", sides, tokens, angle=True)
             return
         listed = words & {"or", ","} and not words - {"or", ",", "and", "either"}
-        if self.links and listed and self.further(sides, tokens):
-            return
+        if self.links and listed and (segment.is_phrase or self.further(sides, tokens)):
+            return  # I = -8i + 16j, perpendicular to the wall: a phrase is no value
         waiting, sign = self._waiting(segment)
         if waiting:
             self.link(waiting, sign, sides, tokens)

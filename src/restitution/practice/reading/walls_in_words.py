@@ -33,11 +33,12 @@ HITS_AT = re.compile(
 )
 
 # How a wall lies, by a vector: ``so the wall is parallel to 2i + j``.
-_PART = r"[-+−]?\s*[\d./√½⅓⅔¼¾]*\s*"
+_PART = r"[-+−]?\s*[\d./√½⅓⅔¼¾()]*\s*"
 LIES_ALONG = re.compile(
     r"^(\s*(?:so|hence|then|therefore)?\s*)(?:(?:the\s+)?direction\s+of\s+)?(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s*"
-    r"(?:=|:|is|runs|lies|goes)?\s*(?:along|parallel\s+to|in\s+the\s+direction(?:\s+of)?)?\s*:?\s*"
-    rf"(?=[(<]?\s*{_PART}i\s*[-+−]{_PART}j\b|[(<]\s*-?\d+\s*,\s*-?\d+\s*[)>]\s*$)"
+    r"(?:=|:|is|runs|lies|goes)?\s*"
+    r"(?:along|parallel\s+to|∥|//|(?:in\s+the\s+)?direction(?:\s+of)?)?\s*(?:=|:|is)?\s*"
+    rf"(?=[(<]?\s*{_PART}[a-hk-z]?i\s*[-+−]{_PART}[a-hk-z]?j\b|[(<]\s*-?\d+\s*,\s*-?\d+\s*[)>]\s*$)"
 )
 
 # What is at right angles to it: ``normal is 2i - j``.
@@ -64,7 +65,7 @@ GRADIENTS_OF_PERPENDICULARS = re.compile(
 )
 
 # What tells that a label is of the wall itself.
-_VERB = re.compile(r"=|\b(?:is|runs|lies|goes|along|parallel|direction)\b")
+_VERB = re.compile(r"=|∥|//|\b(?:is|runs|lies|goes|along|parallel|direction)\b")
 
 
 def lies_along(match: re.Match[str], problem: Problem) -> str:

@@ -254,6 +254,7 @@ def _holding(sign: Sign, apart: Array, tolerance: Array, *, closed: bool = False
 
 # --- decimals -------------------------------------------------------------------------------------
 
+_HALF = Fraction(1, 2)
 _Half = Mapping[int, tuple[float, float]]
 
 
@@ -282,8 +283,10 @@ def _half_units(
         number = numbers.get(decimal.column)
         if number is None:
             continue
-        # A result to three figures, √(0.114² + 2²) = 2.00, may be a datum by chance.
-        worth = decimal.figures >= _FINE and decimal.column in results
+        # A result to three figures, √(0.114² + 2²) = 2.00, may be a datum by chance, and so may
+        # one with a nought behind its point.
+        whole_number = decimal.value.denominator == 1 and decimal.half_unit < _HALF
+        worth = (decimal.figures >= _FINE or whole_number) and decimal.column in results
         if worth or decimal.value not in given:
             chosen = fine if decimal.figures >= _FINE else coarse
             chosen[decimal.column] = float(number), float(decimal.half_unit_of(number))
@@ -304,7 +307,7 @@ def _is_half(node: Number | Degrees, claim: Claim, given: Collection[Fraction]) 
     """Whether a number inside a side is one half, or half a datum: ``0.2 × 29`` for ½ × 0.4."""
     if node in (claim.left, claim.right):
         return False
-    return node.value == Fraction(1, 2) or 2 * node.value in given
+    return node.value == _HALF or 2 * node.value in given
 
 
 def _whole_degrees(claim: Claim, angular: bool) -> Iterator[Number | Degrees]:
