@@ -203,6 +203,47 @@ find range of k
 """,
         ("(2k² − 1)/(3k) > √3/3", "2k² − √3 k − 1 > 0", "k > (√3 + √11)/4"),
     ),
+    "a deflection of which an earlier part has the tangent": (
+        """
+sphere A: mass 3m, velocity 4u i
+sphere B: mass 2m, velocity 5u j
+A hits B: along i
+part a
+find deflection(B)
+part b
+given deflection(B) >= 40°
+find range of e
+""",
+        ("tan δ ≥ tan 40°, as δ ≥ 40°", "12(1 + e)/25 ≥ tan 40°", "0.748 ≤ e ≤ 1"),
+    ),
+    "an angle to a wall of which an earlier part has the tangent": (
+        """
+wall W: along i
+sphere P: mass m, velocity u(2i - j)
+P hits W
+part a
+find angle(velocity(P), W)
+part b
+given angle(velocity(P), W) < 15°
+find range of e
+""",
+        ("tan β < 2 − √3, as β < 15°", "e/2 < 2 − √3", "≈ 0.536"),
+    ),
+    "a speed of who is given to go back": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, velocity -3u i
+A hits B: along i, e = 2/3
+given speed(A) > u, velocity(A) in the direction of -i
+find range of k
+""",
+        (
+            "A moves in the direction of −𝐢, so v < 0",
+            "speed of A = (17k − 3)u/(3(1 + k)), as k > 3/17",
+            "(17k − 3)u/(3(1 + k)) > u",
+            "k > 3/7, as 1 + k > 0",
+        ),
+    ),
     "a letter for an angle that may be right": (
         """
 sphere P: mass M, velocity w at beta

@@ -132,7 +132,8 @@ class Conditions:
     def inequalities(self) -> Iterator[Fact]:
         """The given inequalities that speak of the motion."""
         desk = self.scene.desk
-        for fact in desk.facts:
+        # A sense that is given goes first: a speed is a component, or what is opposite to it.
+        for fact in sorted(desk.facts, key=lambda fact: not fact.id.startswith("sense ")):
             if not desk.holds(fact.id):
                 continue
             if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
@@ -216,6 +217,9 @@ class Conditions:
             gap = expanded(self.worths.value(bound.left) - self.worths.value(bound.right))
             return self.finished(ratio, bound.sign, gap, wanted)
         gap = self.gap(link)
+        if gap.has(sp.Abs):
+            self.sources(link)  # a line may tell the sense of who moves along the line of centres
+            gap = self.gap(link)
         own = without_signs(self.scene, gap, link.sign)
         if own is None or own[1].has(sp.atan2):
             return None  # an angle that no line bounds
@@ -438,10 +442,7 @@ class Conditions:
         for side in (link.left, link.right):
             if has_quantity(side):
                 self.worths.determine(side)
-        left, right = (
-            sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
-            for side in (link.left, link.right)
-        )
+        left, right = map(self.worths.of_side, (link.left, link.right))
         if left.atoms(sp.Pow) | right.atoms(sp.Pow) and any(
             p.exp == sp.Rational(1, 2) and p.base.free_symbols
             for p in left.atoms(sp.Pow) | right.atoms(sp.Pow)
@@ -508,10 +509,7 @@ class Conditions:
         """A condition with values put in: at once where it is short, else in two lines."""
         put = (Move("put"),)
         if not is_zero(link.right) or self._is_meeting(fact):
-            values = [
-                sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
-                for side in (link.left, link.right)
-            ]
+            values = [self.worths.of_side(side) for side in (link.left, link.right)]
             relation_sign = link.sign
             if values[1] == 0 and self._stands_turned(pool, values[0]):
                 # As it stands above: the sense turns, and not the terms.

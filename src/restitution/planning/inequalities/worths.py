@@ -12,7 +12,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -38,7 +38,7 @@ from restitution.planning.angles.wall_turns import tangent_at_a_wall
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction, scene_value
-from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.formulas.named_angles import letter_known, letter_of
 from restitution.planning.formulas.turns import turns_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.journeys import journeys
@@ -201,13 +201,11 @@ class Worths:
 
     def angle(self, angle: Quantity) -> int:
         """Writes the tangent of an angle, with a letter that is introduced before it."""
-        for fact in self.name_of(angle):
-            # The statement has a letter for it, and a line may say the tangent of that.
-            if isinstance(fact, str):
-                letter = self.scene.facts[fact].relation.only[0].right
-                standing = self._tangent(Apply("tan", letter))
-                if standing is not None:
-                    return self.tangent_closed(standing)
+        named = letter_known(self.scene, angle)
+        # It may have a letter, and a line may say the tangent of that.
+        standing = None if named is None else self._tangent(Apply("tan", Letter(named[0])))
+        if standing is not None:
+            return self.tangent_closed(standing)
         if self._tangent(Apply("tan", angle)) is not None or angle.kind not in _ANGLES:
             return self.quantity(angle)
         mark = self.mark()
@@ -498,6 +496,19 @@ class Worths:
     def known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
         names = symbol_names(x)
         return self.judge.known(names & set(roles(self.scene.problem)))
+
+    def of_side(self, side: Expression) -> sp.Expr:
+        """A side of an inequality in letters; a speed in one line has the sign that stands."""
+        value = sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+        if not value.has(sp.Abs):
+            return value
+        speeds = {node for node in walk(side) if is_quantity(node, "speed")}
+        known = ((speed, self.scene.desk.known(speed)) for speed in speeds)
+        trees: dict[Expression, Expression] = {
+            speed: tree_of(source.value) for speed, source in known if source is not None
+        }
+        own = self.scene.put(self.scene.scalar(exchanged(side, trees)))[0]
+        return sp.sympify(own, strict=True)
 
     def value(self, tree: Expression) -> sp.Expr:
         """What a tree of a line is worth, in letters."""
