@@ -212,3 +212,19 @@ find velocity(A), line_of_centres
     reason = "(both are possible, as the spheres approach each other in each)"
     first, second = (f"If s = (5 {sign} 3√17)/4: Substituting for s in (1):" for sign in "+−")
     printed_with(text, (reason, first, second))
+
+
+TAKEN = {
+    "sphere P: mass 1/2, velocity 3i\nP receives k (2i + j)\ngiven speed(P) = 7\nfind k": (
+        "as k is taken to be positive"
+    ),
+    "sphere A: mass m, velocity u i\nsphere B: mass m, at rest\nA hits B: along theta, e = 1/4\n"
+    "given speed(A) = 3u/4\nfind theta": "as θ is taken to be acute",
+    "sphere A: mass m, velocity 2u at alpha\nsphere B: mass m, at rest\n"
+    "A hits B: along i, e = 1/2\ngiven speed(A) = u\nfind alpha": ", as α is acute",
+}
+
+
+@pytest.mark.parametrize("text", TAKEN)
+def test_which_of_two_lines_is_meant_is_taken(text: str) -> None:
+    assert TAKEN[text] in " ".join(to_text(explain(solve(parse(text)))).split())

@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Number,
+    Polar,
     Quantity,
     is_binary,
     walk,
@@ -69,6 +70,20 @@ class Known:
         """Whether a letter of the statement is positive for all that it may be."""
         role = self._roles.get(name)
         return role is not None and role.symbol(name).is_positive is True
+
+    def is_of_a_line(self, letter: Expression) -> bool:
+        """Whether a letter tells where a line of centres, a wall or an impulse lies, and no speed.
+
+        Which of several such lines is meant is then taken. The size of an impulse tells no line.
+        """
+        kinds: set[str] = set()
+        for fact in self._derivation.facts:
+            nodes = [node for tree in trees_of(fact.relation) for node in walk(tree)]
+            if any(isinstance(node, Polar) and node.size == letter for node in nodes):
+                return False
+            if letter in nodes:
+                kinds.add(fact.id.partition(" ")[0])
+        return not kinds.isdisjoint({"axis", "wall", "impulse"}) and "velocity" not in kinds
 
     def known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         """What is known of letters on which a line rests."""
@@ -231,7 +246,10 @@ class Known:
             return self._of_a_fact(fact, line)
         head, colon, text = ref.partition(":")
         if colon and head.strip() == "acute":
-            return self._acute(read_tree(text, self._naming.bodies))
+            tree = read_tree(text, self._naming.bodies)
+            if line.move.id == "reject" and self.is_of_a_line(tree):
+                return say("derived.taken-acute", angle=self._naming.layout(tree))
+            return self._acute(tree)
         relation = read_relation(ref, self._naming.bodies)
         acute = acute_by_its_tangent(line, relation, map(self._shapes.relation_of, line.premises))
         if acute is None:

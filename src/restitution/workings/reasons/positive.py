@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -102,7 +103,10 @@ class PositiveReasons(Known):
         kind = None if meaning is None else getattr(meaning.quantity, "kind", None)
         component = kind in ("along", "across", "dot")
         if not component and (meaning is not None or self.is_positive(left.name)):
-            yield say("derived.positive", letter=self._naming.layout(left))
+            sentence: SentenceId = "derived.positive"
+            if meaning is None and self.is_of_a_line(left):
+                sentence = "derived.taken-positive"
+            yield say(sentence, letter=self._naming.layout(left))
 
     def _by_its_own_sign(self, line: Line) -> bool:
         """Whether a root is rejected by what it may be itself, and the ranges of other letters."""
