@@ -36,10 +36,7 @@ sphere B: mass 1, velocity {v}i
 A hits B: along i{e}
 """
 
-WITHOUT_E = (
-    "So there is no such impact. What else is asked does not depend on e, and can still be worked "
-    "out from the data."
-)
+WITHOUT_E = "What else is asked does not depend on e, and can still be worked out from the data."
 
 
 @cache

@@ -435,6 +435,14 @@ show angle(velocity(P), W) <= alpha
         ),
         ["Second impact: Q hits W", "sin α = ⅗", "Parallel to W"],
     ),
+    "the square of a coefficient bounds a loss": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given e < 1\nfind maximum of energy_lost over e\n"
+            "find maximum of energy_lost/energy(0) over alpha"
+        ),
+        ["kinetic energy lost ≤ ½mu² sin²α, as e² ≥ 0  ", "as sin²α < 1 for acute α and 0 ≤ e < 1"],
+    ),
     "an inequality that is divided has its reasons": (
         (
             "sphere A: mass m, velocity u at alpha\n"
@@ -672,7 +680,7 @@ show angle(velocity(P), W) <= alpha
             "A hits B: along i\ngiven deflection(B) = 60°\nfind direction(A)"
         ),
         [
-            "which is less than 60°",
+            "B turns through the",
             "tan θ = u/((√3 − 2)u) = 1/(√3 − 2) = (2 + √3)/((√3 − 2)(2 + √3))",
         ],
     ),

@@ -67,7 +67,7 @@ class GrowthReasons:
         """That a quantity increases, or decreases, between the ends that are cited."""
         if line.move.id != "monotone":
             return
-        if any(self._shapes.square_of_a_ratio(line)):
+        if any(self._shapes.square_of_a_ratio(line)) or self._shapes.square_of_a_coefficient(line):
             return  # a limit says no more than that
         growths = [
             own.relation

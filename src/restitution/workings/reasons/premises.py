@@ -232,7 +232,7 @@ class Reasons(PositiveReasons):
             *self._shapes.of(line),
             *map(self._layout, filter(None, (top_of_a_sign(line, cited),))),
             # That a sum is positive, its letters show.
-            *(() if any(self._dropped(line)) else self.known(line)),
+            *(() if any(self._dropped(line)) else self._known_beside_a_square(line)),
             *self._silent(line),
             *self._definite(line),
             *self._cleared(line),
@@ -241,6 +241,19 @@ class Reasons(PositiveReasons):
         )
         # Behind what is known of a letter stand where an equality holds, and the value at its end.
         return tuple(sorted(reasons, key=lambda e: _BEHIND.get(getattr(e, "id", ""), 0)))
+
+    def _known_beside_a_square(self, line: Line) -> Words:
+        """What is known of letters, but for the bounds of a coefficient whose square says them."""
+        square = self._shapes.square_of_a_coefficient(line)
+        if square is None:
+            return self.known(line)
+        assert isinstance(square.left, Binary)
+        name = self._naming.layout(square.left.left)
+        return tuple(
+            reason
+            for reason in self.known(line)
+            if not (isinstance(reason, lay.Relation) and name in reason.operands)
+        )
 
     def _definite(self, line: Line) -> Iterator[Sentence | lay.Layout]:
         """Which quadratics have one sign throughout, and by what."""

@@ -34,7 +34,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.oracle.roles import Role
+from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.planning.writing.forms import factors, tree_of
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.bounding_parts import (
@@ -81,6 +81,7 @@ class ShapeReasons:
                 self._factor,
                 self._wave,
                 self.square_of_a_ratio,
+                self._square_of_a_coefficient,
                 self._share,
                 self._divisor,
                 self._below_a_sine,
@@ -251,6 +252,36 @@ class ShapeReasons:
                         bound = Relation(((Link(node, signs[links[0].sign in _WEAK], end),),))
                         yield say("derived.limit", fact=self._naming.relation(bound))
                         return
+
+    def square_of_a_coefficient(self, line: Line) -> Link | None:
+        """That e² is at least 0, or at most 1, where a value is bounded by that; else None."""
+        match line.move.id, line.relation:
+            case "sign" | "monotone", Relation(((bound,),)) if bound.sign in _WEAK:
+                pass
+            case _:
+                return None
+        for own in map(self.relation_of, line.premises):
+            if own is None or own.options[0][0].left != bound.left:
+                continue
+            whole = own.options[0][-1].right
+            for node in walk(whole):
+                match node:
+                    case Binary("^", Letter(name) as letter, Number(value=power)) if power == 2:
+                        pass
+                    case _:
+                        continue
+                alone = sum(other == letter for other in walk(whole)) == 1
+                if not alone or self._roles.get(name) != COEFFICIENT:
+                    continue
+                for square in (Link(node, ">=", ZERO), Link(node, "<=", ONE)):
+                    if is_bound_by(whole, node, square.right, bound.right):
+                        return square
+        return None
+
+    def _square_of_a_coefficient(self, line: Line) -> Iterator[Sentence]:
+        square = self.square_of_a_coefficient(line)
+        if square is not None:
+            yield say("derived.fact", fact=self._naming.relation(Relation(((square,),))))
 
     def _between_no_angle_and_a_right_one(
         self, line: Line, links: tuple[Link, ...]

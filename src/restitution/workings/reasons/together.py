@@ -21,9 +21,9 @@ def with_acute_angles_together(sentence: Sentence) -> Sentence:
         if isinstance(reason, Sentence) and reason.id == "derived.acute"
     ]
     match reasons, acute:
-        case (Sentence("derived.limit") as limit, _), [one]:
+        case (Sentence("derived.limit") as limit, *others), [one]:
             own = say("derived.limit-acute", fact=dict(limit.slots)["fact"], **dict(one.slots))
-            return say("derived.as", reasons=(own,))
+            return say("derived.as", reasons=(own, *(e for e in others if e != one)))
     if len(acute) < 2:
         return sentence
     both = say("derived.both-acute", angles=tuple(dict(e.slots)["angle"] for e in acute))

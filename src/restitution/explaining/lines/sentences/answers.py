@@ -104,11 +104,11 @@ SENTENCES: Mapping[str, str] = {
         "{letter} is possible: what is given cannot occur."
     ),
     "note.goes-on": (
-        "So there is no such impact. What else is asked does not depend on {letter}, and can still "
-        "be worked out from the data."
+        "What else is asked does not depend on {letter}, and can still be worked out from the data."
     ),
     "note.rests-on": (
-        "So there is no such impact. What else is asked can still be worked out from the data."
+        "What else is asked is worked out from the data all the same, though there is no such "
+        "impact."
     ),
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
