@@ -144,3 +144,32 @@ def test_a_body_that_was_struck_along_an_axis_is_turned_at_right_angles_by_a_wal
     )
     assert "3 cos²θ = sin²θ" in text
     assert "θ = 60°" in text
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (
+            (
+                "wall W: along i + 3j\nsphere P: mass 3, velocity 2i + lambda j\n"
+                "P hits W: e = 1/2\n"
+                "given velocity(P) parallel to j\nfind lambda\n"
+            ),
+            ("the component in the direction of 𝐢 is zero", "3(λ − 6)/20 + (2 + 3λ)/10 = 0"),
+        ),
+        (
+            (
+                "sphere A: mass 2, velocity 3i + 2j\nsphere B: mass 1, velocity p i - j\n"
+                "A hits B: along i + j, e = 1/2\ngiven velocity(A) parallel to 3i + j\nfind p\n"
+            ),
+            ("the component in the direction of −𝐢 + 3𝐣 is zero: v − √2 = 0",),
+        ),
+    ],
+)
+def test_a_component_across_a_given_direction_by_those_that_slant(
+    text: str, lines: tuple[str, ...]
+) -> None:
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert not [line for line in lines if line not in shown], shown

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_root,
     letters,
     walk,
 )
@@ -290,10 +291,19 @@ def _multiple(factor: sp.Expr, component: sp.Expr) -> Expression:
 
 
 def _share(factor: sp.Expr, component: sp.Expr) -> Expression:
-    """The share of a component in a direction: −sin²θ, and not sin θ sin θ."""
-    if (component / factor).is_number:
-        return tree_of(tidy(factor * component))
+    """The share of a component in a direction: −sin²θ, and not sin θ sin θ.
+
+    Where the roots of both cancel, 3(λ − 6)/20 of 3/√10 and (λ − 6)/(2√10), it has none.
+    """
+    whole = tidy(factor * component)
+    if (component / factor).is_number or (_has_surd(factor) and not _has_surd(whole)):
+        return tree_of(whole)
     return product(tree_of(factor), tree_of(component))
+
+
+def _has_surd(value: sp.Expr) -> bool:
+    """Whether a root of a number stands in a value."""
+    return any(power.is_number and not power.exp.is_Integer for power in value.atoms(sp.Pow))
 
 
 def _across_a_frame(
@@ -322,6 +332,7 @@ def _across_a_frame(
         total(_share(w / common, s.value) for s, w in used) for common in (common_, sp.Integer(1))
     )
     relations = [Relation(((link(tree, ZERO),),)) for tree in trees]
+    relations.sort(key=lambda own: any(map(has_root, own.trees)))
     # Without a root that both shares have, where that follows too.
     own = next((e for e in relations if scene.judge.follows(move, refs, e)), relations[-1])
     return scene.desk.write(move, refs, own)

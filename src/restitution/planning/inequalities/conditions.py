@@ -218,8 +218,11 @@ class Conditions:
             return self.finished(ratio, bound.sign, gap, wanted)
         gap = self.gap(link)
         if gap.has(sp.Abs):
+            mark = self.worths.mark()
             self.sources(link)  # a line may tell the sense of who moves along the line of centres
             gap = self.gap(link)
+            if gap.has(sp.Abs):
+                self.worths.back(mark)
         own = without_signs(self.scene, gap, link.sign)
         if own is None or own[1].has(sp.atan2):
             return None  # an angle that no line bounds

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from restitution.explaining.data.arrangement import turned
 from restitution.explaining.data.offset_angles import offset_angle
 from restitution.explaining.data.paths_and_lines import angle_between, turn_of_line
 from restitution.explaining.definitions.ties import past_a_right_angle, tie_of
@@ -313,7 +314,8 @@ class GivenLeads(Leads):
         assert isinstance(line.relation, Relation)
         nothing = _is_without_component(line)
         direction = fact.relation.options[0][0].right
-        other = _across(self._of_a_wall(direction))
+        slants = is_binary(line.relation.options[0][0].left, "+", "-")
+        other = _across(self._of_a_wall(direction)) or (turned(direction) if slants else None)
         if nothing and other is not None:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
         if nothing and isinstance(direction, Name) and self._is_wall(direction.name):
