@@ -16,16 +16,21 @@ from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.story.letters import roles
+from restitution.work import limited
 
 _MOST_LETTERS = 2
 """Each costs another solution of the whole."""
+_HINT = 100_000
 
 
-def with_hints(solution: Solution, solved: Callable[[Problem], Solution]) -> Solution:
+def with_hints(
+    solution: Solution, solved: Callable[[Problem], Solution], operations: int
+) -> Solution:
     """The solution, whose errors name the angle that would have to be 90° or more.
 
     A letter for an angle is acute unless a fact says otherwise; who does not know it sees an error
-    that tells nothing. ``solved`` solves a problem.
+    that tells nothing. ``solved`` solves a problem, and ``operations`` are what the solution took:
+    a hint is not worth much more.
     """
     problem = solution.problem
     refused = {
@@ -39,7 +44,8 @@ def with_hints(solution: Solution, solved: Callable[[Problem], Solution]) -> Sol
         return solution
     for name in acute:
         try:
-            other = solved(_up_to_180(problem, name))
+            with limited(operations=_HINT + 2 * operations):
+                other = solved(_up_to_180(problem, name))
         except RestitutionError:
             continue
         parts = {

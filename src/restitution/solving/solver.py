@@ -35,13 +35,14 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
     time_limit = work.seconds_of(time_limit)
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
-    with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
+    error = None if limit is None else TimeLimitError(limit)
+    with work.limited(time_limit, error=error) as spent:
         solution = _without_open_directions(problem) or _solved(with_unsaid(problem))
         other = in_printed_terms(solution)
         again = None if other is None else _solved(other)
         if again is not None and refused(again) < refused(solution):
             solution = again
-        return with_note_of_signs(with_hints(solution, _solved), _solved)
+        return with_note_of_signs(with_hints(solution, _solved, spent.used), _solved)
 
 
 def _without_open_directions(problem: Problem) -> Solution | None:
