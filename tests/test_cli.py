@@ -827,3 +827,21 @@ def test_no_sheet_of_nothing(folder):
     assert status == 2 and not (folder / "s.pdf").exists()
     status, _, err = run("sheet", "good.impact", cwd=folder)
     assert status == 2 and "--output" in err
+
+
+def test_a_format_may_be_called_by_its_ending(folder):
+    for ending, form in (("md", "markdown"), ("tex", "latex"), ("txt", "text")):
+        one, other = (
+            run("solve", "good.impact", "-f", name, cwd=folder) for name in (ending, form)
+        )
+        assert one == other and one[0] == 0
+
+
+def test_a_long_line_that_is_quoted_shows_that_it_goes_on(folder):
+    text = f"sphere P: mass 2, velocity 3i {'+ 0i ' * 20}@ j"
+    _, _, messages = run("check", "-", stdin=text.encode(), cwd=folder)
+    (quoted,) = (row for row in messages.splitlines() if " | " in row and "^" not in row)
+    assert quoted.endswith("j")
+    _, _, messages = run("check", "-", stdin=f"spere P: {'very ' * 30}".encode(), cwd=folder)
+    (quoted, *_) = (row for row in messages.splitlines() if " | " in row and "^" not in row)
+    assert quoted.endswith("…") and len(quoted) <= 80

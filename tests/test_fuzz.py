@@ -139,7 +139,8 @@ WORDY = "the line is too long: at most 1000 words and signs"
 DEEP = "the expression is too long or nested too deeply: at most 100 operations one upon another"
 # Each with the place and the message of its refusal, or without where it is read.
 EXTREMES = [
-    (b"\xff\xfe\x00", (1, 1), "the text is not UTF-8: byte 0xff"),
+    (b"\xff\xfa\x00", (1, 1), "the text is not UTF-8: byte 0xff"),
+    ("title Ä".encode("utf-16"), (None, None), "the text is in UTF-16: save it in UTF-8"),
     (b"title caf\xe9", (1, 10), "the text is not UTF-8: byte 0xe9"),
     ("sphere A: mass \x00", (1, 16), "unexpected character U+0000"),
     ("find " + "x" * 10_000_000, (1, 1), "the text is too long: at most 100000 bytes"),

@@ -84,7 +84,7 @@ def test_a_script_that_cannot_be_read_does_not_stop_the_others(folder):
     (folder / "scripts" / "anya.txt").write_bytes(b"v = 2\xff")
     status, out, err = run("mark", "pair.impact", "scripts", "--part", "a", "--csv", cwd=folder)
     rows = list(csv.DictReader(out.splitlines()))
-    assert status == 2 and "anya.txt: this is no text in UTF-8" in err
+    assert status == 2 and "anya.txt: the text is not UTF-8" in err
     assert [row["script"] for row in rows] == ["ann.txt", "anya.txt", "bob.txt"]
     assert set(list(rows[1].values())[1:]) == {""} and rows[2]["of"]
     status, out, _ = run("mark", "pair.impact", "scripts", "--part", "a", cwd=folder)

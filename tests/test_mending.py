@@ -39,6 +39,29 @@ BROKEN = {
     "sphere C: mass 2; velocity 3i": "sphere C: mass 2, velocity 3i",
     "sphere C: mass 2 and velocity 3i": "sphere C: mass 2, velocity 3i",
     "sphere C: mass 2,5": "sphere C: mass 2.5",
+    "sphere C: mass=2, velocity=-3i": "sphere C: mass 2, velocity -3i",
+    "sphere C: mass =2, velocity= (3, 4)": "sphere C: mass 2, velocity (3, 4)",
+    "W hits B": "B hits W",
+    "W hits A: e = 1/2": "A hits W: e = 1/2",
+    "A strikes W: coefficient of restitution e": "A hits W",
+    "A hits B: along i, e": "A hits B: along i",
+    "A hits B: e, along i": "A hits B: along i",
+    "A hits B: e = 1, impact parameter 2r": "A hits B: e = 1, offset 2r",
+    "A hits W then B": "A hits W\nA hits B",
+    "A hits B and then hits W": "A hits B\nA hits W",
+    "given they move at right angles after collision": (
+        "given angle(velocity(A), velocity(B)) = 90°"
+    ),
+    "given the spheres separate at right angles": "given angle(velocity(A), velocity(B)) = 90°",
+    "find the angle through which it is deflected": "find deflection(A)",
+    "find the angle by which the ball is turned": "find deflection(A)",
+    "find total momentum before": "find momentum(0)",
+    "find the total linear momentum before the collision, e": "find momentum(0), e",
+    "find total momentum after impact": "find momentum",
+    "find the ratio of the kinetic energies": "find energy(A)/energy(B)",
+    "find ratio of their speeds after the impact": "find speed(A)/speed(B)",
+    "find velocity(A) in cm/s": "find velocity(A)",
+    "find speed(A) in km/h, energy(A) in J": "find speed(A), energy(A)",
     "sphere C: velocity [3, 4]": "sphere C: velocity (3, 4)",
     "sphere C: velocity <3, 4>": "sphere C: velocity (3, 4)",
     "sphere C: initially at rest": "sphere C: at rest",
@@ -555,6 +578,28 @@ def test_a_percentage_of_what_has_a_unit_is_doubtful() -> None:
     text = mended(HEAD + "find energy_lost as a percentage", note.fixes[0])
     assert text == HEAD + "find energy_lost/energy(0) as a percentage"
     assert parse(text).notes == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "character", "name", "read"),
+    [
+        ("sphere С: mass 2", "С", "U+0421, Cyrillic capital letter es", "sphere C: mass 2"),
+        ("find ѕрееd(A)", "ѕ", "U+0455, Cyrillic small letter dze", "find speed(A)"),
+        ("fınd speed(A)", "ı", "U+0131, Latin small letter dotless i", "find speed(A)"),
+        ("find speed(Β)", "Β", "U+0392, Greek capital letter beta", "find speed(B)"),
+        ("А hits В: along і", "А", "U+0410, Cyrillic capital letter a", "A hits B: along i"),
+    ],
+)
+def test_a_letter_that_looks_like_a_latin_one_is_named(line, character, name, read) -> None:
+    (mistake,) = mistakes(HEAD + line)
+    (fix,) = mistake.fixes
+    assert mistake.message.startswith(f"'{character}' is {name}: did you mean '")
+    assert mended(HEAD + line, fix) == HEAD + read
+
+
+def test_a_name_in_look_alikes_is_known_elsewhere() -> None:
+    (mistake,) = mistakes("sphere Р: velocity 3i\nwall W: along j\nP hits W\nfind speed(P)")
+    assert mistake.line == 1
 
 
 @pytest.mark.parametrize(

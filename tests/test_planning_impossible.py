@@ -471,6 +471,18 @@ def test_an_impact_that_the_data_exclude_is_refused_at_its_line_and_without_a_ma
     assert working(ALONG).endswith("Q is moving away from F, or along it.")
 
 
+def test_a_sphere_at_rest_does_not_move_away_from_a_wall() -> None:
+    after = "sphere A: mass 1, velocity 2i\nsphere B: mass 1, at rest\nwall V: along j\n"
+    for text, name in (
+        ("sphere B: at rest\nwall V: along 30°\nB hits V: e = 1/3\nfind speed(B)", "B"),
+        (after + "A hits B: along i, e = 1\nA hits V: e = 1/2\nfind speed(A)", "A"),
+        (after.replace("2i", "0i") + "A hits V: e = 1\nfind speed(A)", "A"),
+    ):
+        (error,) = (item.error for _, item in solve(parse(text)).items())
+        assert error is not None and error.message == f"{name} is at rest, and does not hit V"
+        assert f"{name} is at rest, and does not hit V" in working(text)
+
+
 def test_one_that_a_letter_excludes_is_not_refused_in_itself() -> None:
     text = ALONG.replace("6i + 8j", "u i + 8j").replace("find speed(Q)\n", "")
     assert solve(parse(text)).parts[None].items[0].error is None

@@ -119,6 +119,20 @@ def test_the_command_sets_versions_with_their_schemes(tmp_path):
     assert not room.search((tmp_path / "test-1-scheme.html").read_text(encoding="utf-8"))
 
 
+def test_a_title_with_a_number_is_left_out_and_that_is_said(tmp_path):
+    rest = re.sub("^title .*\n", "", STATEMENT, flags=re.MULTILINE)
+    titled, plain = (r.parse(f"title {title}\n{rest}") for title in ("Test 3", "A test"))
+    assert any("title is left out" in note for note in variant(titled, 1).notes)
+    assert not any("title" in note for note in variant(plain, 1).notes)
+
+
+def test_a_seed_needs_versions(tmp_path):
+    path = tmp_path / "ball.impact"
+    path.write_text(STATEMENT, encoding="utf-8")
+    status, _, messages = run("sheet", path, "-o", tmp_path / "x.html", "--seed", "3")
+    assert status == 2 and "this needs --variants" in messages
+
+
 def test_versions_need_a_file_each(tmp_path):
     path = tmp_path / "ball.impact"
     path.write_text(STATEMENT, encoding="utf-8")

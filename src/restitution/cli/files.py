@@ -92,6 +92,8 @@ def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str
     column = error.column or 0
     first = max(0, column - _SHOWN // 2) if len(line) > _SHOWN else 0
     shown = printable(line[first : first + _SHOWN])
+    if first + _SHOWN < len(line):
+        shown = f"{shown[:-1]}…"
     yield f"{error.line:>5} | {shown.rstrip()}"
     if column:
         before = shown[: column - 1 - first]

@@ -87,9 +87,9 @@ def _workings(path: str, unread: list[str]) -> Iterator[tuple[str, str | None]]:
 
 
 def _text(file: str) -> str:
+    from restitution.language.lines import decode
+
     try:
-        return read(file).decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise StatementError(f"{shown_name(file)}: this is no text in UTF-8") from None
+        return decode(read(file))
     except StatementError as error:
         raise StatementError(f"{shown_name(file)}: {error.message}") from None

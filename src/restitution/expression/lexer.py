@@ -8,6 +8,7 @@ one of ordinary operators.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterator, Mapping
 
 from lark import Token
@@ -23,6 +24,7 @@ from restitution.expression.signs import (
     CURES,
     FRACTIONS,
     HINTS,
+    LOOK_ALIKES,
     PASTED,
     SIGNS,
     SUPERSCRIPT_DIGITS,
@@ -50,6 +52,8 @@ _MISSING_UNDERSCORE = re.compile(
     r"(?:total\s+)?energy\s+lost(?!\w)|line\s+of\s+cent(?:re|er)s(?!\w)"
 )
 _AXIS = re.compile(r"([xy])[\s–-]*axis(?!\w)")
+
+_LOOK_ALIKE = re.compile(rf"[{''.join(LOOK_ALIKES)}][^\W\d_]*")
 
 _STARTS_OPERAND = frozenset(
     [
@@ -100,6 +104,7 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
 
     Raises StatementError for a character or a word that means nothing, with its place.
     """
+    _refuse_look_alikes(source)
     tokens: list[Token] = []
     runs: list[tuple[int, str]] = []
     warnings: list[Note] = []
@@ -120,6 +125,21 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
                 start_of(token),
             )
     return Scan(source, names, tuple(_with_products(source, tokens)), tuple(runs), tuple(warnings))
+
+
+def _refuse_look_alikes(source: Source) -> None:
+    """Raises StatementError for a letter that only looks like a Latin one: nobody sees which."""
+    match = None if source.plain.isascii() else _LOOK_ALIKE.search(source.plain)
+    if match is None:
+        return
+    at, end = match.span()
+    script, *rest = unicodedata.name(source.plain[at]).split()
+    raise source.error(
+        f"'{source.plain[at]}' is U+{ord(source.plain[at]):04X}, {script.capitalize()} "
+        f"{' '.join(rest).lower()}: did you mean '{LOOK_ALIKES[source.plain[at]]}'?",
+        at,
+        source.fix(at, end, "".join(LOOK_ALIKES.get(letter, letter) for letter in match.group())),
+    )
 
 
 def _raw_tokens(

@@ -68,6 +68,15 @@ HINTS = {
 
 CURES = {**dict.fromkeys("[{", "("), **dict.fromkeys("]}", ")"), **dict.fromkeys('“”„"‘', "")}
 
+LOOK_ALIKES = dict(
+    zip(
+        "АВЕКМНОРСТУХЅІЈаеорсухѕіј" + "ΑΒΕΖΗΙΚΜΝΟΡΤΥΧο" + "ıȷ",
+        "ABEKMHOPCTYXSIJaeopcyxsij" + "ABEZHIKMNOPTYXo" + "ij",
+        strict=True,
+    )
+)
+"""Cyrillic and Greek letters, and dotless ones, that look like a Latin letter, which is meant."""
+
 SUBSCRIPT_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 
 SUPERSCRIPT_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")

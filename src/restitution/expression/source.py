@@ -58,10 +58,12 @@ class Source:
                 start -= 1
             while not start and end < len(self.text) and self.text[end].isspace():
                 end += 1
+            if start and self.text[start - 1].isalnum() and self.text[end : end + 1].strip(",:;.)"):
+                text = "" if self.text[end].isspace() else " "  # ``mass=2`` is no ``mass2``
         if not label:
             label = (
                 f"Leave out '{typed}'"
-                if not text
+                if not text.strip()
                 else f"Replace '{typed}' by '{text.strip()}'"
                 if typed
                 else f"Put in '{text.strip()}'"

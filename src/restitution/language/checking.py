@@ -194,7 +194,22 @@ def _step(bodies: _Bodies, step: Step) -> Iterator[StatementError]:
             pass
 
 
+def _wall_first(step: Impact) -> StatementError:
+    """The mistake of a wall that hits a sphere, with the names exchanged."""
+    typed, meant = f"{step.first} hits {step.second}", f"{step.second} hits {step.first}"
+    mistake = _error(f"a sphere hits a wall: did you mean '{meant}'?", step.place)
+    if step.place is not None:
+        line, column = step.place.line, step.place.column
+        mistake.fixes = (
+            Fix(f"Write '{meant}'", (Edit(line, column, line, column + len(typed), meant),)),
+        )
+    return mistake
+
+
 def _impact(bodies: _Bodies, step: Impact) -> Iterator[StatementError]:
+    if [bodies.kinds.get(name) for name in (step.first, step.second)] == ["wall", "sphere"]:
+        yield _wall_first(step)
+        return
     yield from _body(bodies, step.first, _SPHERE, step.place)
     yield from _body(bodies, step.second, _SPHERE | _WALL, step.place)
     if step.first == step.second:

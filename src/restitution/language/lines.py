@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterator
 
 from restitution.errors import StatementError, require
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_LINES, MAX_TEXT_BYTES
+from restitution.expression.signs import LOOK_ALIKES
 from restitution.expression.source import Source
 from restitution.expression.words import MEANT, NAME, near
 from restitution.records import dataclass
 
 _BREAK = re.compile(r"\r\n|\r|\n")
 _FIRST_WORD = re.compile(r"\s*(\w+)")
+_UTF_16 = (BOM_UTF16_LE, BOM_UTF16_BE)
+_LATIN = str.maketrans(LOOK_ALIKES)
 _DECLARATION = re.compile(r"\s*(sphere|wall|point)\b([^:]*)")
 _SHOWN = 60  # characters of a text in a message
 
@@ -35,10 +39,10 @@ def decode(text: str | bytes) -> str:
     """The text itself, of a bearable size. Raises StatementError for bytes that are not UTF-8."""
     require(text, (str, bytes), "parse")
     if len(text) > MAX_TEXT_BYTES:
-        raise StatementError(
-            f"the text is too long: at most {MAX_TEXT_BYTES} bytes, and this has {len(text)}", 1, 1
-        )
+        raise StatementError(f"the text is too long: at most {MAX_TEXT_BYTES} bytes", 1, 1)
     if isinstance(text, bytes):
+        if text.startswith(_UTF_16):
+            raise StatementError("the text is in UTF-16: save it in UTF-8")
         try:
             text = text.decode("utf-8")
         except UnicodeDecodeError as error:
@@ -95,7 +99,7 @@ def declared_names(lines: list[LogicalLine]) -> dict[str, str]:
     """
     names: dict[str, str] = {}
     for line in lines:
-        match = _DECLARATION.match(line.source.plain)
+        match = _DECLARATION.match(_in_latin(line))
         if match:
             for declared in match.group(2).split(","):
                 # What follows a name without a colon is a mistake, but not of the name.
@@ -109,6 +113,11 @@ def declared_names(lines: list[LogicalLine]) -> dict[str, str]:
         if kind not in names.values() and name not in names and is_nameless(lines, kind):
             names[name] = kind
     return names
+
+
+def _in_latin(line: LogicalLine) -> str:
+    """A line with Latin letters for those that look like them, of which a mistake tells."""
+    return line.source.plain.translate(_LATIN)
 
 
 # --- names in lines that cannot be read ---------------------------------------------------------
@@ -130,7 +139,7 @@ _WITHOUT_A_NAME = re.compile(r"\s*(?:an?\s+)?(?P<kind>sphere|wall)\s*(?::|$)")
 
 def _meant_names(line: LogicalLine) -> Iterator[tuple[str, str]]:
     """The names that a line would declare if it could be read, each with what it would be."""
-    text = line.source.plain
+    text = _in_latin(line)
     kind, start = None, 0
     if match := _KIND_FIRST.match(text):
         kind, start = _kind(match["kind"]), match.end()

@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import field, replace
 from functools import partial
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -62,11 +63,11 @@ from restitution.solving.equations.answers import (
     value_layout,
 )
 from restitution.solving.equations.coefficients import (
-    COEFFICIENTS,
     coefficient_letters,
     impossible_coefficients,
     outside,
     require_possible_value,
+    warning_of,
     without_impossible,
 )
 from restitution.solving.equations.part import Desk, Outcome, impossible, solved_texts
@@ -353,10 +354,8 @@ class Worker:
         return known, () if outcome.accepted else tuple(branches)
 
     def _warn_of_coefficient(self, branches: list[Branch]) -> None:
-        implied = [wrong.text for branche in branches for wrong in impossible_coefficients(branche)]
-        text = f"the data imply {' or '.join(dict.fromkeys(implied))}, and {COEFFICIENTS}"
-        if implied and text not in self.warnings:
-            self.warnings.append(text)
+        if wrong := tuple(chain.from_iterable(map(impossible_coefficients, branches))):
+            self.warn(warning_of(wrong))
 
     def warn(self, text: str) -> None:
         if text not in self.warnings:

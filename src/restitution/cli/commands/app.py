@@ -41,12 +41,18 @@ More statements to learn from: restitution examples. Everything a statement may
 say: restitution language.
 """
 
+_BY_ENDING = {"md": "markdown", "tex": "latex", "txt": "text"}
+"""Formats by the endings of the names of their files."""
+
 app = typer.Typer(
     help=_HELP,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    context_settings={
+        "help_option_names": ["-h", "--help"],
+        "token_normalize_func": lambda name: _BY_ENDING.get(name, name),
+    },
 )
 
 

@@ -96,8 +96,9 @@ def sheet(
         ),
     ] = None,
     seed: Annotated[
-        int, typer.Option(metavar="S", min=0, help="Which versions, with --variants.")
-    ] = 1,
+        int | None,
+        typer.Option(metavar="S", min=0, help="Which versions, with --variants; else from 1 on."),
+    ] = None,
     experiment: Annotated[
         bool,
         typer.Option("--experiment", help="A worksheet of the experiment with a wall; no files."),
@@ -120,6 +121,9 @@ def sheet(
         raise typer.Exit
     if trials is not None:
         raise typer.BadParameter("this needs --experiment", param_hint="--trials")
+    if seed is not None and variants is None:
+        raise typer.BadParameter("this needs --variants", param_hint="--seed")
+    seed = 1 if seed is None else seed
     if not files:
         raise typer.BadParameter("a file is missing, or --experiment", param_hint="FILE...")
     options = Options(solutions, diagrams, space, marks.value, scheme)

@@ -20,7 +20,18 @@ from restitution.language.slip_tables.patterns import (
 
 _STRIKES_OR_REACHES = rf"(?:hits|reaches|arrives\s+at|{STRIKES})"
 
+_THE_IMPACT = r"(?:\s+(?:the\s+)?(?:impact|collision))?"
+_UNITS = (
+    r"(?:[ck]?m\s*/\s*(?:s|h)|[ck]?m\s?s\s?\^?\(?-1\)?|[ck]?m\s?s⁻¹|km\s*/?\s*h|mph|k?J|joules"
+    r"|N\s?s|SI)"
+)
+
 ASKED: tuple[Slip, ...] = (
+    (
+        "find",
+        rf"(?P<x>(?:,\s*)?\bin\s+{_UNITS}(?!\w)(?:\s+units)?)",
+        Cure("leave out '{x}': answers are in SI units", ""),
+    ),
     (
         "find",
         (
@@ -76,7 +87,46 @@ ASKED: tuple[Slip, ...] = (
         ),
         meant("energy_lost = {n} of energy(0)"),
     ),
+    (
+        ASKING_LINES,
+        rf"(?P<x>(?:the\s+)?total\s+(?:linear\s+)?momentum\s+before{_THE_IMPACT})\s*(?:,|$)",
+        meant("momentum(0)"),
+    ),
+    (
+        ASKING_LINES,
+        rf"(?P<x>(?:the\s+)?total\s+(?:linear\s+)?momentum(?:\s+after{_THE_IMPACT})?)\s*(?:,|$)",
+        meant("momentum"),
+    ),
     ("find", r"(?P<x>(?:the\s+)?total\s+momentum)\b", meant("momentum")),
+    (
+        "given let show other",
+        r"(?P<x>(?:that\s+)?(?:(?:total|linear)\s+)*momentum\s+is\s+conserved|\bmomentum\s+conserved)\b",
+        "momentum is conserved wherever two spheres collide: this line can be left out",
+    ),
+    (
+        "given show other",
+        (
+            r"(?P<x>\b(?:they|(?:the\s+)?(?:two\s+)?(?:spheres|balls|particles))\s+(?:(?:are\s+)?mov\w+|travel|go|separate)"
+            rf"(?:\s+off)?\s+at\s+right\s+angles(?:\s+to\s+(?:each\s+other|one\s+another))?(?:\s+after(?:wards\b|{_THE_IMPACT}))?)"
+        ),
+        Cure("did you mean {each}?", "angle(velocity({first}), velocity({second})) = 90°"),
+    ),
+    (
+        ASKING_LINES,
+        (
+            r"(?P<x>(?:the\s+)?angle\s+(?:through|by)\s+which\s+(?:it|the\s+(?:sphere|ball|particle))\s+is\s+"
+            r"(?:deflected|turned))"
+        ),
+        Cure("did you mean {each}?", "deflection({sphere})"),
+    ),
+    *(
+        (
+            ASKING_LINES,
+            rf"(?P<x>(?:the\s+)?ratio\s+of\s+(?:the(?:ir)?\s+)?(?:{words})(?:\s+after{_THE_IMPACT})?)\s*(?:,|$)",
+            Cure("did you mean {each}?", f"{quantity}({{first}})/{quantity}({{second}})"),
+        )
+        for words, quantity in ((r"kinetic\s+energies|KEs", "energy"), ("speeds", "speed"))
+    ),
     (
         ASKING_LINES,
         (
@@ -503,7 +553,7 @@ ASKED: tuple[Slip, ...] = (
     (
         "find",
         (
-            r"(?P<x>(?:,\s*)?\b(?:correct\s+)?(?:in|to)\s+(?:degrees|radians|°|m\s*/\s*s|exact\s+form"
+            r"(?P<x>(?:,\s*)?\b(?:correct\s+)?(?:in|to)\s+(?:degrees|radians|°|exact\s+form"
             r"|(?:\d|one|two|three)\s*(?:s\.?f\.?|d\.?p\.?|decimal\s+places?|significant\s+figures?"
             r"|sig\.?\s*figs?))(?!\w)[^,]*)"
         ),

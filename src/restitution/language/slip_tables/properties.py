@@ -36,9 +36,15 @@ def _facts_at_events() -> Iterator[Slip]:
 
 
 _AMOUNT = r"(?:\b(?:mass|radius|velocity|speed|receives|impulse)\b|[=+−-])\s*"
+_LETTER_E = r"(?:coefficient(?:\s+of\s+restitution)?\s*(?:is|=)?\s*)?e\b"
 _TO_999 = r"[1-9]\d{0,2}"
 
 PROPERTIES: tuple[Slip, ...] = (
+    (
+        "event",
+        rf"^\s*(?P<a>{NAME})\s+hits\s+{NAME}(?P<x>\s*,?\s*(?:and\s+)?then\s+(?:hits\s+)?(?P<b>{NAME}))\s*$",
+        Cure("every impact has a line of its own", "\n{a} hits {b}", tight=True),
+    ),
     *_facts_at_events(),
     ("let", r"(?P<x>,)\s*\w+\s*=", "a line 'let' names one quantity"),
     # Before three figures a comma may part thousands, or be a decimal point; nobody knows which.
@@ -149,7 +155,10 @@ PROPERTIES: tuple[Slip, ...] = (
     ),
     (
         "sphere",
-        r"\bvelocity\s[^,]*?(?P<x>\b(?:to)?wards?\b[^,]*|\baway\s+from\b[^,]*)",
+        (
+            r"\bvelocity\s[^,]*?(?P<x>\b(?:to)?wards?\b[^,]*|\baway\s+from\b[^,]*"
+            r"|\b(?:(?:in\s+)?the\s+)?opposite\b[^,]*)"
+        ),
         "a direction is told by an angle or a vector: 'velocity 3 at 30°', 'velocity -3i'",
     ),
     (
@@ -237,7 +246,10 @@ PROPERTIES: tuple[Slip, ...] = (
     ("event", r"[:,]\s*(?P<x>restitution\s*(?:=|is|of)?)\s*(?=[\d½¼¾⅓⅔])", meant("e =")),
     (
         "event",
-        r"[:,]\s*(?P<x>(?:perpendicular\s+)?distance(?:\s+(?:of|is)|\s*=)?)\s*(?=[-+\d(√.a-z])",
+        (
+            r"[:,]\s*(?P<x>(?:(?:perpendicular\s+)?distance|impact\s+parameter)(?:\s+(?:of|is)|\s*=)?)"
+            r"\s*(?=[-+\d(√.a-z])"
+        ),
         meant("offset"),
     ),
     (
@@ -256,7 +268,15 @@ PROPERTIES: tuple[Slip, ...] = (
         ),
         meant("{n} receives {v}"),
     ),
-    ("event", r"[:,]\s*(?P<x>(?P<e>e|\d[\d./]*|[½¼¾⅓⅔]))\s*(?:,|$)", meant("e = {e}")),
+    *(
+        (
+            "event",
+            pattern.format(_LETTER_E),
+            Cure("leave out 'e': without a value it is a letter", ""),
+        )
+        for pattern in (r":\s*(?P<x>{}\s*,)", r"(?P<x>\s*[:,]\s*{})\s*(?:,|$)")
+    ),
+    ("event", r"[:,]\s*(?P<x>(?P<e>\d[\d./]*|[½¼¾⅓⅔]))\s*(?:,|$)", meant("e = {e}")),
     (
         "event",
         r"(?P<x>coefficient(?:\s+of\s+restitution)?\s+(?:is\s+)?(?P<e>[a-z]))\s*(?:,|$)",

@@ -284,10 +284,12 @@ def _redrawn(problem: Problem, dice: Dice) -> Problem:
         )
         for sphere in problem.spheres
     )
-    title = problem.title
-    if title is not None and any(character.isdigit() for character in title):
-        title = None  # it tells a number that is another one now
+    title = None if _tells_a_number(problem.title) else problem.title  # it is another one now
     return replace(changed, title=title, spheres=spheres)
+
+
+def _tells_a_number(title: str | None) -> bool:
+    return title is not None and any(character.isdigit() for character in title)
 
 
 def _hypotenuses(problem: Problem) -> dict[str, int]:
@@ -649,6 +651,8 @@ def _with_steps(problem: Problem, change: Callable[[Step], Step | None]) -> Prob
 
 
 def _notes(problem: Problem) -> Iterator[str]:
+    if _tells_a_number(problem.title):
+        yield "the title is left out, as it has a number"
     walls = sum(wall.along is not None or bool(wall.lengths) for wall in problem.walls)
     if len(problem.walls) > 1 and walls:
         yield "the walls stay where they are, as the path leads from one to the next"

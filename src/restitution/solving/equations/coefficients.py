@@ -51,6 +51,17 @@ class Impossible:
     letters: frozenset[str]
 
 
+def warning_of(wrong: Sequence[Impossible]) -> str:
+    """What to say of coefficients outside [0, 1]: that they are given, or follow from the data."""
+    values = " or ".join(dict.fromkeys(coefficient.text for coefficient in wrong))
+    verb = "the statement gives" if _are_given(wrong) else "the data imply"
+    return f"{verb} {values}, and {COEFFICIENTS}"
+
+
+def _are_given(wrong: Sequence[Impossible]) -> bool:
+    return all(coefficient_outside(coefficient.step) for coefficient in wrong)
+
+
 def impossible_coefficients(branch: Branch) -> list[Impossible]:
     """The coefficients outside [0, 1], in the order of the impacts."""
     impossible = []
@@ -112,7 +123,8 @@ def without_impossible(
         e = blamed.step.e
         place = line_and_column(e.place if e is not None and not blamed.letters else None)
         values = " or ".join(dict.fromkeys(wrong.text for wrong in every))
-        error = ImpossibleError(f"{values} rejected: {COEFFICIENTS}", *place)
+        rejected = "" if _are_given(every) else " rejected"
+        error = ImpossibleError(f"{values}{rejected}: {COEFFICIENTS}", *place)
         error.because = f"the data give {values}, and {COEFFICIENTS}"
         raise error
     return kept

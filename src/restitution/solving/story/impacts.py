@@ -175,7 +175,10 @@ def _impact_with_wall(state: State, number: int, step: Impact) -> Happening:
         c = -state.wall_direction(Name(wall.name)).turned_left()
     u = state.arriving.get((number, name), u)
     closing = state.rational(u.dot(c))
-    what = f"{name} is moving away from {wall.name}, or along it"
+    if state.still(u):
+        what = f"{name} is at rest, and does not hit {wall.name}"
+    else:
+        what = f"{name} is moving away from {wall.name}, or along it"
     if state.of_statement and not unknown and state.field.is_zero(closing):
         raise ImpossibleError(what, *line_and_column(step.place))
     _approach(state, (name, wall.name), u, c, closing, unknown, what)
