@@ -120,7 +120,7 @@ CASES = {
     ),
     "an impulse of the sphere of known velocity": (
         COLLINEAR.format(mass="m", other="2m", velocity="-v i", given="impulse = 2m u", asked="v"),
-        ["change of momentum of A along the line of centres: 2mu = m(u − w)", "v = u"],
+        ["decrease in the momentum of A along the line of centres: 2mu = m(u − w)", "v = u"],
     ),
     "an angle to a line along which nothing moves": (
         SLOWED.format(mass="m", velocity="3 at 180° - alpha", line="i"),

@@ -548,3 +548,15 @@ def test_a_sum_of_what_stands_is_led_to_by_a_word() -> None:
         "P hits X: e = 1/3\nfind deflection(P, 1) + deflection(P, 2)"
     )
     assert " Adding: δ₁ + δ₂ ≈ " in shown
+
+
+def test_an_impulse_that_is_given_is_the_decrease_of_a_momentum() -> None:
+    """That it is the change, above 10 = 4(5 − v), left out in which direction."""
+    text = (
+        "sphere A: mass 3, velocity {}\nsphere B: mass 6, velocity {}\nA hits B: along i\n"
+        "given impulse = 15\nfind velocity(A)"
+    )
+    lead = "Impulse = decrease in the momentum of A along the line of centres:"
+    assert f"{lead} 15 = 3(5 − v) M1 A1" in working(text.format("5i", "-2i"))
+    lead = "Impulse = change of momentum of A along the line of centres:"
+    assert f"{lead} 15 = 3(v + 5) M1 A1" in working(text.format("-5i", "2i"))

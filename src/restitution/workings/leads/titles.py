@@ -19,7 +19,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.explaining.lines.trees import is_share_of_energy
+from restitution.explaining.lines.trees import is_share_of_energy, trees_of
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     STRAIGHT_ANGLE,
@@ -224,6 +224,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 event is not None and event.kind == "impact" and self._by_components(line)
             ):
                 return RECORDS["impulse"].title(event)  # a component times its unit vector
+            case "impulse", _ if event is not None and not event.wall and self._decreases(line):
+                return "impulse-spheres.decrease"
             case "product", _ if wall := self._along_which(line):
                 return say("derived-product.along", wall=wall)
             case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
@@ -505,6 +507,16 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             link.sign in ("parallel to", "perpendicular to") or is_quantity(link.left, "direction")
             for link in links
         )
+
+    def _decreases(self, line: Line) -> bool:
+        """Whether the component after an impact, which is unknown, is less than the one before."""
+        assert isinstance(line.relation, Relation)
+        for tree in trees_of(line.relation):
+            for node in walk(tree):
+                match node:
+                    case Binary("-", _, Letter(name)) if name in self._naming.meanings:
+                        return True
+        return False
 
     def _by_products(self, line: Line) -> bool:
         """Whether a law of restitution is written by scalar products with a cited vector."""

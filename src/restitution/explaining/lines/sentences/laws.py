@@ -56,6 +56,9 @@ SENTENCES: Mapping[str, str] = {
         "are added, and the impulse is m × (speed of approach + speed of rebound)."
     ),
     "impulse-spheres.title": "Impulse = change of momentum of {body} along the line of centres",
+    "impulse-spheres.decrease": (
+        "Impulse = decrease in the momentum of {body} along the line of centres"
+    ),
     "impulse-spheres.why": (
         "The impulse on a sphere is its momentum after minus its momentum before; on the other "
         "sphere it is equal and opposite, so either sphere will do. The spheres are smooth, so "
