@@ -403,3 +403,17 @@ find e
 """
     words = printed(text)
     assert words.index("= 10 cos θ = 8 m s⁻¹") < words.index("2 = 0.5(8 − v)")
+
+
+def test_an_impulse_as_a_vector_stands_where_it_is_first_used() -> None:
+    text = """
+sphere A: mass 2, velocity 5i + 3j
+sphere B: mass 1, velocity -6i + 5j
+A hits B
+given velocity(A) = i + 6j
+part a
+find velocity(B), impulse
+part b
+find e
+"""
+    printed_with(text, ("𝐯_B = (2𝐢 − 𝐣) m s⁻¹", "impulse on A =", "magnitude of the impulse ="))

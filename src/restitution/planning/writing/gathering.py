@@ -90,7 +90,7 @@ def _with_standing(derivation: Derivation) -> Derivation:
 def _where_needed(derivation: Derivation) -> Derivation:
     """The same working, in which what was written on the way stands where it is first used.
 
-    That is another ratio of an angle, a bound of letters, the line of centres that an impulse
+    That is another ratio of an angle, a bound of letters, an impulse, the line of centres that one
     tells, or a component, which may have been written for its sign; and whatever no item of its own
     part rests on.
     """
@@ -113,6 +113,7 @@ def _where_needed(derivation: Derivation) -> Derivation:
                 or line.move.record == "component"
                 or _is_a_component_put_in(line)
                 or _is_of_the_axis(line)
+                or _is_an_impulse(line)
             )
             and items[item or ""] > items[line.item or ""]
         )
@@ -138,6 +139,14 @@ def _is_a_component_put_in(line: Line) -> bool:
     match line.relation:
         case Relation(((Link(Quantity("along" | "across", (Quantity("velocity"), _)), "="),),)):
             return line.move.id == "put"
+    return False
+
+
+def _is_an_impulse(line: Line) -> bool:
+    """Whether a line says what the impulse on a body is, as a vector."""
+    match line.relation:
+        case Relation(((Link(Quantity("impulse", (_, *_)), "="), *_),)):
+            return True
     return False
 
 
