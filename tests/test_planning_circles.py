@@ -16,6 +16,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Relation
 from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
@@ -465,3 +466,18 @@ find impulse
 """)
     assert not follow(derivation, Oracle(roles(problem)))
     assert "component of 𝐮_P towards C = √(3² + 4²) = 5 m s⁻¹" in printed(problem, derivation)
+
+
+@pytest.mark.parametrize(("start", "first"), [("(0, 0)", "1"), ("(a, 0)", "1/2")])
+def test_who_crosses_a_circle_along_a_diameter_is_sent_straight_back(
+    start: str, first: str
+) -> None:
+    problem = parse(
+        f"wall W: circle centre (0, 0) radius 2a\nsphere P: mass m, at {start}, velocity u i\n"
+        f"P hits W: e = {first}\nP hits W: e = 1/3\nfind deflection(P), speed(P)\n"
+    )
+    derivation = plan(solve(problem))
+    assert not follow(derivation, Oracle(roles(problem)))
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert "P hits W at right angles, so it is sent straight back: δ = 180°" in text
+    assert "90°" not in text

@@ -526,7 +526,9 @@ def _by_angles_that_stand(
     if frame.wall and _are_exact(scene, body, event, frame):
         return write_sum(scene, asked, angle_line)
     if frame.wall and chord_from(scene, body, event) is not None:
-        return write_sum(scene, asked, angle_line)  # the angles are known before the place is
+        beside = in_direction(scene, "across", body, event - 1, frame)
+        if not scene.model.identically_zero(beside.value):
+            return write_sum(scene, asked, angle_line)  # they are known before the place is
     return write_right_angle(scene, asked, by_squares=True)
 
 
