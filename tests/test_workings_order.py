@@ -63,7 +63,7 @@ given angle(line_of_centres, i) = 30°
 find velocity(A)
 """
     words = printed(text)
-    side = "Take the line of centres to be turned anticlockwise from 𝐢."
+    side = "Take the line of centres to be at 30° anticlockwise from 𝐢."
     assert words.count(side) == 1
     assert "Let 𝐧 = (√3/2)𝐢 + ½𝐣 be the unit vector along the line of centres" in words
     assert words.index(side) < words.index("8 cos 30°")
@@ -79,7 +79,7 @@ find velocity(P)
 """
     words = printed(text)
     assert "Then ½𝐢 − (√3/2)𝐣 is the unit vector perpendicular to W, towards it" in words
-    assert words.index("Take W to be turned") < words.index("6 sin 30°")
+    assert words.index("Take W to be at 30° anticlockwise from 𝐢.") < words.index("6 sin 30°")
     assert "and the other figure is the reflection in 𝐢" in words
 
 

@@ -4,9 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.lines.derivation import Derivation, Line, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Binary, Expression, Negate, has_unit_vector
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Negate,
+    Quantity,
+    Unit,
+    has_unit_vector,
+)
 from restitution.workings.naming.quantities import Naming
 
 
@@ -30,19 +39,32 @@ class Sides:
         if line.move.record not in ("component", "assemble"):
             return
         self._done.add(number)
-        name = "sided.wall" if event.wall else "sided.spheres"
-        yield say(name, wall=event.bodies[1]) if event.wall else say(name)
+        wall = {"wall": event.bodies[1]} if event.wall else {}
+        angle = self._angle_given(line)
+        if angle is not None:
+            name: SentenceId = "sided.wall-at" if event.wall else "sided.spheres-at"
+            yield say(name, angle=self._naming.layout(angle), **wall)
+        else:
+            yield say("sided.wall" if event.wall else "sided.spheres", **wall)
         units = self._units(number)
         if len(units) == 2:
             one, other = map(self._naming.layout, units)
             pair = "sided.wall-units" if event.wall else "sided.spheres-units"
-            slots = {"wall": event.bodies[1]} if event.wall else {}
-            yield say(pair, along=one, across=other, **slots)
+            yield say(pair, along=one, across=other, **wall)
         if len(units) == 1 and not self._naming.bold.has_unit(event.number):
             (only,) = map(self._naming.layout, units)
             one_unit = "sided.wall-unit" if event.wall else "sided.spheres-unit"
-            slots = {"wall": event.bodies[1]} if event.wall else {}
-            yield say(one_unit, along=only, **slots)
+            yield say(one_unit, along=only, **wall)
+
+    def _angle_given(self, line: Line) -> Expression | None:
+        """The angle in degrees between **i** and the line, as a fact that is cited gives it."""
+        for fact in self._derivation.facts_in(line.premises):
+            match fact.relation.options:
+                case ((Link(Quantity("angle", sides), "=", Degrees() as angle),),) if (
+                    Unit("i") in sides
+                ):
+                    return angle
+        return None
 
     def _units(self, number: int | None) -> tuple[Expression, ...]:
         """The unit vectors, along the normal and perpendicular to it, of which a line is made.

@@ -263,6 +263,7 @@ SENTENCES: Mapping[str, str] = {
         "in 𝐢"
     ),
     "sided.wall": "Take {wall} to be turned anticlockwise from 𝐢.",
+    "sided.wall-at": "Take {wall} to be at {angle} anticlockwise from 𝐢.",
     "sided.wall-unit": ("Then {along} is the unit vector perpendicular to {wall}, towards it."),
     "sided.spheres-unit": "Then {along} is the unit vector along it.",
     "sided.wall-units": (
@@ -270,6 +271,7 @@ SENTENCES: Mapping[str, str] = {
         "one along it."
     ),
     "sided.spheres": "Take the line of centres to be turned anticlockwise from 𝐢.",
+    "sided.spheres-at": "Take the line of centres to be at {angle} anticlockwise from 𝐢.",
     "sided.spheres-units": (
         "Then {along} is the unit vector along it, and {across} the one perpendicular to it."
     ),
