@@ -717,3 +717,32 @@ def test_a_working_with_angles_in_degrees_is_followed(text: str) -> None:
     problem = parse(text)
     derivation = plan(solve(problem), partial=True)
     assert not follow(derivation, oracle_of(problem))
+
+
+@pytest.mark.parametrize(
+    ("e", "words", "angle"),
+    [
+        (
+            "1/2",
+            "B goes on along the line of centres in the same sense, so it is not turned:",
+            "0°",
+        ),
+        ("1", "B is sent straight back along the line of centres:", "180°"),
+    ],
+)
+def test_along_the_line_of_centres_a_sphere_goes_on_or_comes_back(
+    e: str, words: str, angle: str
+) -> None:
+    text = to_text(
+        explain(
+            solve(
+                parse(f"""
+sphere A: mass 2, velocity 2i + j
+sphere B: mass 3, velocity -3i - 4j
+A hits B: along 3i + 4j, e = {e}
+find deflection(B)
+""")
+            )
+        )
+    )
+    assert f"{words} δ = {angle}" in " ".join(text.split())

@@ -361,6 +361,8 @@ class TurnLeads(LinesAround):
             return say("turned.back-as", body=body, turn=self._naming.layout(turn))
         if sign is not None and form in _TURNED_AS:
             return say(_TURNED_AS[form], body=body, reason=sign)
+        if form == "straight" and first.right == Degrees(Fraction(0)):
+            return say("turned.straight-on", body=body)
         return say(_TURNED[form], body=body) if form in _TURNED else None
 
     def _sign_after(self, line: Line, body: str) -> Sentence | lay.Layout | None:

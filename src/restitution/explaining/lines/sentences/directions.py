@@ -76,6 +76,9 @@ SENTENCES: Mapping[str, str] = {
     "turned.directions": (
         "{body} turns through the difference of its directions before and after:"
     ),
+    "turned.straight-on": (
+        "{body} goes on along the line of centres in the same sense, so it is not turned:"
+    ),
     "turned.straight": "{body} is sent straight back along the line of centres:",
     "turned.from": (
         "{body} turns through the difference of the angles that its velocities make with {axis}:"
