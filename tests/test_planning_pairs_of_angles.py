@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from workings import printed_with
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Relation
@@ -173,3 +174,16 @@ def test_angles_are_rounded_in_degrees() -> None:
     """
     held = [solve(parse(text.format(each))).parts[None].items[0].holds for each in ("87.9", "88.0")]
     assert held == [False, True]
+
+
+def test_the_roots_of_two_quotients_of_squares_stand_before_these_are_multiplied_across() -> None:
+    text = """
+sphere A: mass 2m, velocity u at 30°
+sphere B: mass m, velocity u at 60° from -i
+A hits B: along i
+given angle(velocity(A), line_of_centres) = angle(velocity(B), line_of_centres)
+find e
+"""
+    quotient = "(u/2)/((2√3 − 1 − (1 + √3)e)u/6) = ±(√3 u/2)/"
+    across = "2(1 + √3)e + 2√3 − 1 = ±(6 − √3 − (3 + √3)e)"
+    printed_with(text, (quotient, across, "e = 18√3 − 31 ≈ 0.177"))

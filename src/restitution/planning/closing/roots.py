@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    is_binary,
     letters,
     walk,
 )
@@ -32,6 +33,7 @@ from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
     linear_factors,
+    root_of_squares,
     sides_but_for_sign,
     speed_of_one_component,
 )
@@ -191,8 +193,29 @@ def _but_for_sign(
     standing = scene.desk.relation(number)
     if standing == relation or _is_solved(standing, symbol):
         return number
+    if move == _ROOTS and (quotients := _roots_of_quotients(scene, number, relation)) is not None:
+        number, move = quotients, Move("rearrange")
     refs = scene.judge.enough(move, (number,), relation, known)
     return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _roots_of_quotients(scene: Scene, number: int, relation: Relation) -> int | None:
+    """The line with the roots of two quotients of squares, in the order of a ``relation``.
+
+    They are not multiplied across yet. None of other sides.
+    """
+    link = scene.desk.last_link(number)
+    left, right = root_of_squares(link.left), root_of_squares(link.right)
+    if left is None or right is None or not all(is_binary(e, "/") for e in (left, right)):
+        return None
+    for ends in ((right, negative(right)), (negative(right), right)):
+        roots = Relation(tuple((Link(left, "=", end),) for end in ends))
+        mark = scene.desk.mark()
+        line = scene.judge.write((_ROOTS,), (number,), roots)
+        if line is not None and scene.judge.follows(Move("rearrange"), (line,), relation):
+            return line
+        scene.desk.back(mark)
+    return None
 
 
 def _says_roots(scene: Scene, number: int, symbol: sp.Symbol, alternatives: Relation) -> bool:

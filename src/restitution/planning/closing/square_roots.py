@@ -215,7 +215,7 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     link = scene.desk.last_link(number)
     if symbol.name not in letters(link.left) | letters(link.right):
         return None
-    left, right = (_root_of(side) for side in (link.left, link.right))
+    left, right = (root_of_squares(side) for side in (link.left, link.right))
     if left is None or right is None:
         return None
     relation = equality(left, swept(right))
@@ -246,7 +246,7 @@ def sides_but_for_sign(
     None of a line that does not say so, and where it is known which of the two they are.
     """
     link = scene.desk.last_link(number)
-    left, right = (_root_of(side) for side in (link.left, link.right))
+    left, right = (root_of_squares(side) for side in (link.left, link.right))
     if link.sign != "=" or left is None or right is None:
         return None
     if all(is_not_negative(scene, tree) for tree in (left, right)):
@@ -344,13 +344,13 @@ def side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(cancelled(part / common) for part in parts)
 
 
-def _root_of(tree: Expression) -> Expression | None:
+def root_of_squares(tree: Expression) -> Expression | None:
     """The root of a product of squares, as a tree; None for any other."""
     match tree:
         case Binary("^", base, _) if is_square(tree):
             return base
         case Binary("*" | "/" as op, left, right):
-            roots = [_root_of(tree) for tree in (left, right)]
+            roots = [root_of_squares(tree) for tree in (left, right)]
             if None in roots:
                 return None
             if op == "*":
