@@ -959,7 +959,7 @@ find speed(A)
 def test_what_follows_from_sine_for_cosine_in_both_laws_keeps_their_methods() -> None:
     letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
     lines = "along loc: A 5usinα = 4u\n4m(4u) - m(12u) = 4mv + mw\nw - v = ¼(4u + 12u)"
-    assert states(IN_NUMBERS, lines, letters)[1:5] == ["earned", "lost", "earned", "lost"]
+    assert states(IN_NUMBERS, lines, letters)[2:6] == ["earned", "lost", "earned", "lost"]
 
 
 STOPPED = """sphere A: mass m, velocity 4u i
@@ -1292,7 +1292,7 @@ find deflection(A)
 def test_speeds_behind_the_names_of_their_bodies_are_answers() -> None:
     solution = restitution.solve(restitution.parse(RESTING))
     laws = "12u = 3v + w\nw - v = 2u\nv = 2.5u, w = 4.5u\n"
-    for last, earned in (("A 3.91u, B 4.5u", 9), ("A 3.95u, B 4.5u", 6)):
+    for last, earned in (("A 3.91u, B 4.5u", 10), ("A 3.95u, B 4.5u", 7)):
         marks = restitution.mark(solution, laws + last, part="a", letters=BOTH).marks
         assert marks.earned == earned, last
 

@@ -230,3 +230,46 @@ def test_mistakes_that_have_one_value_by_chance() -> None:
     assert names(FOUR, both) != ["energy-one-sphere"]
     assert names(LINED, "A along: 5u × 3/5 = 3u") == ["sine-cosine"]
     assert names(GIVEN, "tan 75 = e tan 45") == ["deflection-is-after"]
+
+
+KICKED = (
+    "sphere A: mass 2, velocity 5i\nsphere B: mass 3, velocity -i\nA hits B: along i, e = 1/2\n"
+    "A receives p i + q j\ngiven velocity(A) = velocity(B, 0)\nfind p, q\n"
+)
+PLACED = (
+    "sphere A: mass 2m, at (0, 0), velocity 2u i\nsphere B: mass m, at (4a, 0), at rest\n"
+    "A hits B: along i, e = 1/2\nfind distance(A, B, at 5a/u), position(A, at 5a/u)\n"
+)
+LATER = (
+    "sphere A: mass 2m, velocity u at 30°\nsphere B: mass m, velocity u j\npart a\n"
+    "A hits B: along i\nshow impulse = sqrt(3)/3 m u (1 + e)\n"
+    "part b\nshow energy_lost = 1/4 m u^2 (1 - e^2)\n"
+)
+
+
+def test_an_impulse_may_be_that_of_a_blow() -> None:
+    assert verdicts(KICKED, "impulse = 2(-1 - (-0.4)) = -1.2") == ["true"]
+    assert verdicts(KICKED, "impulse = -1.3") == ["false"]
+
+
+def test_a_number_behind_a_sphere_may_be_where_it_is() -> None:
+    assert verdicts(PLACED, "w - v = u", "A: 4a + 3a = 7a", "A: 7a") == ["true"] * 3
+
+
+def test_a_component_found_anew_in_a_later_part_has_its_mark() -> None:
+    solution = solution_of(LATER)
+    lines = ["v = √3u(2 - e)/6", "v = √3u(2 + e)/6"]
+    got = [restitution.mark(solution, [line], "b").marks.earned for line in lines]
+    assert got == [1, 0]
+
+
+def test_the_velocity_of_the_mass_centre_by_its_letter() -> None:
+    lines = ("Vcm = (12 - 2)/5 = 2", "v = Vcm - ½ × (3 - 2) = 1.5", "w - Vcm = 2", "5Vcm = 12 - 2")
+    marking = restitution.mark(solution_of(FOUR), list(lines), letters=COMPONENTS)
+    assert [line["verdict"] for line in marking.json()["lines"]] == ["true"] * len(lines)
+
+
+def test_the_tangent_of_an_angle_in_words() -> None:
+    statement = "wall W: along 3i + 4j\nsphere S: mass 2, velocity 7i + j\nS hits W: e = 3/5\n"
+    lines = ("tan of wall angle = 4/3", "tan of angle to wall after = 3/5")
+    assert verdicts(f"{statement}find velocity(S)", *lines) == ["true"] * 2

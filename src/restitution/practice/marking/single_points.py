@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from restitution.expression.tree import COMPONENTS, is_quantity, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.marking.grounds import (
     LAWS,
@@ -262,9 +263,29 @@ class SinglePoints(PrincipleLines):
         if point.principle == "inequality":
             return self._conclusion(point)
         if point.principle == "condition":
-            return self._inequality(point)
+            return self._with_component(point) or self._inequality(point)
         shown = any(point.shown and point.principle == "inequality" for point in self.scheme.points)
         return self._inequality(point) if shown and point.principle == "solve" else None
+
+    def _with_component(self, point: MarkPoint) -> JudgedLine | None:
+        """A sound line that gives the one component which the equation of a condition decides.
+
+        So it is where a part goes on from what an earlier one has shown, put into a law.
+        """
+        link = point.link
+        if link is None or link.sign != "=":
+            return None
+        parts = {
+            part
+            for side in (link.left, link.right)
+            for part in walk(side)
+            if is_quantity(part, *COMPONENTS)
+        }
+        if len(parts) != 1:
+            return None
+        own = replace(point, link=replace(link, left=parts.pop()))
+        lines = (line for line in self.lines if line.verdict in SOUND)
+        return next((line for line in lines if self._is_matched(own, line)), None)
 
     def _inequality(self, point: MarkPoint) -> JudgedLine | None:
         """A sound line that compares two values; of a false one what stands before its mistake.

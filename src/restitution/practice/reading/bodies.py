@@ -12,7 +12,9 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Quantity,
+    Unit,
     is_binary,
+    is_quantity,
     walk,
 )
 from restitution.practice.reading.energy_lines import asks_energy
@@ -38,14 +40,30 @@ def _is_signed(tree: Expression) -> bool:
 
 
 def worths_of(body: str, value: Expression, problem: Problem) -> tuple[Side, ...]:
-    """What a number behind the name of a sphere may be: its speed, a component, an energy.
+    """What a number behind the name of a sphere may be: its speed, a component, an energy, a place.
 
     What may be negative is a component first.
     """
     phrases = [f"component of {body} along"] if _is_signed(value) else []
     phrases += [f"speed of {body}"]
     phrases += [f"KE of {body} {when}" for when in ("before", "after") if asks_energy(problem)]
-    return tuple(Side(Letter(phrase)) for phrase in phrases)
+    places = (
+        Quantity("along", (place, Unit(axis)))
+        for place in (*_places_asked(body, problem), *places_of(body, problem))
+        for axis in ("i", "j")
+        if is_quantity(place, "position")
+    )
+    trees: list[Expression] = [*map(Letter, phrases), *places]
+    return tuple(map(Side, trees))
+
+
+def _places_asked(body: str, problem: Problem) -> Iterator[Expression]:
+    """The places of a sphere for which the question asks: ``position(A, at 3)``."""
+    for _, step in problem.steps():
+        for tree in trees_of_step(step) if isinstance(step, Find) else ():
+            for node in walk(tree):
+                if is_quantity(node, "position") and Name(body) in node.arguments:
+                    yield node
 
 
 def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:

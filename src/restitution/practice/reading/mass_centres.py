@@ -28,6 +28,7 @@ OF_CENTRE = re.compile(
     rf"(\s+along\s+[ij])?\s*[:=]?|(\s+along\s+[ij])?\s*(?:=|:?(?=[^=]*$)))\s*(?={_VALUE})",
 )
 """Without a word and a sign before the value, *CoM 6 = 2v + w*, it is conservation of momentum."""
+NAMED = re.compile(r"(?<![A-Za-ln-z])[vVU]_?\{?(?:cm|CM|com|CoM|COM)\}?(?![A-Za-z\d])")
 
 
 def of_both(match: re.Match[str], problem: Problem) -> str:
@@ -44,6 +45,11 @@ def of_one(match: re.Match[str], problem: Problem) -> str:
     """The velocity of one sphere relative to the mass centre: ``v_A relative to …``."""
     known = match[1] in {sphere.name for sphere in problem.spheres}
     return f"velocity of {match[1]} " if known else match[0]
+
+
+def named(match: re.Match[str], problem: Problem) -> str:
+    """The velocity of the mass centre by its letter: ``Vcm = (3 - 6)u/5``."""
+    return match[0] if len(problem.spheres) < 2 else " velocity of centre of mass"
 
 
 def of_centre(match: re.Match[str], problem: Problem) -> str:

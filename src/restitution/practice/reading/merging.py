@@ -32,6 +32,7 @@ _BEHIND_AXIS = frozenset(
     ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")
     + ("distance", "velocity", "vel", "speed", "momentum")
 )
+_MOVING = frozenset(("velocity", "vel", "speed", "momentum"))
 _STARTS = frozenset(
     ("total", "overall", "combined", "resultant", "relative", "rel", "horizontal", "vertical")
     + ("line", "reduced")
@@ -448,9 +449,11 @@ def _has_axis_behind(tokens: Sequence[Token], place: int) -> bool:
     if multiplied and tokens[place].kind != "unit":
         return False
     behind = place + 1
+    apart = behind < len(tokens) and tokens[behind].kind == "-" and tokens[behind].gap > 0
     if behind < len(tokens) and tokens[behind].kind == "-":
         behind += 1
-    return behind < len(tokens) and tokens[behind].word in _BEHIND_AXIS
+    known = _BEHIND_AXIS - _MOVING if apart else _BEHIND_AXIS  # x - velocity of B = 3
+    return behind < len(tokens) and tokens[behind].word in known
 
 
 def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
@@ -480,7 +483,7 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
         if behind is None:
             return False
         if behind.word in _BEHIND_AXIS and before in ("i", "j", "x", "y"):
-            return True
+            return not (token.gap and behind.word in _MOVING)
         return behind.kind == "unit" and before in _BEFORE_AXIS and behind.gap == 0
     return False
 

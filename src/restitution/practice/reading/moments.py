@@ -63,6 +63,12 @@ class Moments:
         event = self.events[number - 1]
         return {event.first, event.second} if isinstance(event, Impact) else set()
 
+    def blows(self) -> Iterator[Expression]:
+        """The impulses that bodies receive before, between or after the impacts."""
+        for number, event in enumerate(self.events, 1):
+            if isinstance(event, Kick):
+                yield Quantity("impulse", (Name(event.body),), self.after(number))
+
     def bodies(self, event: int) -> list[str]:
         """The spheres of which the phrase may speak."""
         named = [name for name in self.features.names if name in self.spheres]

@@ -524,13 +524,13 @@ class _Reader(RightAngles):
         """The size of an impulse; the impulse on a body as a vector as well."""
         after = self.after(event)
         named = [name for name in self.features.names if name in self.spheres]
-        size = Quantity("impulse", (), after)
+        size: Expression = Quantity("impulse", (), after)
         vectors = [Quantity("impulse", (Name(name),), after) for name in named[:2]]
-        yield size
-        yield from vectors
-        yield Negate(size)
+        yield from (size, *vectors, negated(size))
         for body in self.bodies_met(event) if self.features.target not in named else ():
             yield Quantity("impulse", (Name(body),), after)
+        for blow in self.blows():
+            yield from (blow, *(Quantity("along", (blow, unit)) for unit in _UNITS))
 
     def momentum(self, event: int) -> Iterator[Expression]:
         """Momenta along the line of centres, and as vectors."""

@@ -179,6 +179,10 @@ _FORMULA = re.compile(
     r"(?:[a-z]+\.?\s+){0,2}(?:speeds?|velocit(?:y|ies)|vels?|comp(?:onent)?s?)\s*\)?\s*(?==)",
     re.IGNORECASE,
 )
+_RATIO_OF = re.compile(r"\b(sin|cos|tan)\s+of\s+(?:the\s+)?(?=angle\b)")
+_TANGENT_OF_WALL = re.compile(
+    r"\btan\s+(?:of\s+)?(?:the\s+)?(?:wall\s+angle|angle\s+of\s+(?:the\s+)?wall)(?=\s*[=:])"
+)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
@@ -415,6 +419,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (mass_centres.OF_BOTH, mass_centres.of_both),
     (mass_centres.BOTH_BEHIND, mass_centres.of_both),
     (mass_centres.OF_ONE, mass_centres.of_one),
+    (mass_centres.NAMED, mass_centres.named),
     (mass_centres.OF_CENTRE, mass_centres.of_centre),
     (walls_in_words.LIES_ALONG, walls_in_words.lies_along),
     (walls_in_words.NORMAL, walls_in_words.normal),
@@ -473,5 +478,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (shares.ROOT_OF_A_BODY, shares.root_of_a_body),
     (shares.AT_A_WALL, shares.at_a_wall),
     (_FORMULA, lambda _, __: ""),
+    (_TANGENT_OF_WALL, lambda _, __: "gradient of wall"),
+    (_RATIO_OF, lambda match, _: f"{match[1]} "),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )
