@@ -181,6 +181,25 @@ def test_what_is_not_given_and_has_no_letter_is_in_no_label() -> None:
     assert written <= {"A", "B", "1", "𝐢", "𝐣", "at rest", "v", "w"}
 
 
+def test_pictures_of_impacts_alike_say_which_they_are() -> None:
+    question = """
+    wall C: circle centre (0, 0) radius 5
+    wall V: along j
+    sphere P: mass 1, velocity 4i + 2j, at (-3, 0)
+    P hits C: e = 1/2
+    P hits C: e = 1/2
+    find speed(P)
+    """
+    titles = [scene.title for scene in scenes(solved(question)) if scene.event is not None]
+    assert titles == [
+        *("Before and after: P hits C for the first time",),
+        *("Before and after: P hits C for the second time",),
+    ]
+    walls = "wall V: along j\nwall W: along i\nsphere P: velocity 4i - 2j\nP hits V\nP hits W\n"
+    titles = [scene.title for scene in scenes(solved(walls + "find speed(P)"))]
+    assert not any(" time" in title for title in titles)
+
+
 def test_all_masses_of_a_picture_stand_within_their_circles_or_none_does() -> None:
     question = """
     sphere A: mass {}, velocity 5i + 2j

@@ -276,6 +276,16 @@ def sphere(**given_: object) -> r.Sphere:
         (lambda: r.impact(W, sphere(), e=1), StatementError, "first body .* is a Sphere"),
         (lambda: r.impact(A, 3, e=1), StatementError, "second body"),
         (lambda: r.impact(A, A, e=1), StatementError, "both bodies .* named A"),
+        (
+            lambda: r.impact(sphere(velocity=(math.nan, 0)), W, e=1),
+            StatementError,
+            "velocity of P is n",
+        ),
+        (
+            lambda: r.impact(sphere(mass=math.inf), W, e=1),
+            StatementError,
+            "mass of P is inf: it must",
+        ),
         (lambda: r.impact(sphere(velocity="3i - (4"), W, e=1), StatementError, "velocity of P"),
         (lambda: r.impact(sphere(velocity="3i k^"), W, e=1), StatementError, r"\(column \d"),
         (lambda: r.impact(sphere(velocity=5), W, e=1), StatementError, "where a vector is needed"),

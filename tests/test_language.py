@@ -746,6 +746,8 @@ def test_a_word_outside_counts_in_lines_that_cannot_be_read_alone() -> None:
     ("call", "said"),
     [
         (lambda: restitution.parse(None), r"parse takes a text, and not NoneType"),
+        (lambda: restitution.mark("find e", "e = 1"), r"mark takes a Problem, and not str"),
+        (lambda: restitution.play(restitution.parse("find e")), r"play takes a Solution, a Mo"),
         (lambda: restitution.solve("wall W"), r"Problem, and not str: restitution\.parse\(text\)"),
         (lambda: restitution.question("wall W"), r"question takes a Problem, and not str"),
         (lambda: restitution.explain(parse("wall W")), r"restitution\.solve\(problem\) makes one"),

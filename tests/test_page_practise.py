@@ -64,6 +64,12 @@ def test_topics_stand_in_the_order_in_which_they_are_taught(practise) -> None:
     expect(page.locator("#practising")).to_be_hidden()
 
 
+def test_a_blank_behind_a_slanted_letter_has_room(practise) -> None:
+    page = practise(topic="wall-forward", level="1", seed="5")
+    room = "each => parseFloat(getComputedStyle(each).marginRight) / each.offsetHeight"
+    assert page.locator("#question i").first.evaluate(room) > 0.05
+
+
 def test_a_topic_gives_the_same_question_again_by_its_address(practise) -> None:
     page = practise(topic="wall-forward", level="1", seed="5")
     words = page.locator("#question").inner_text()

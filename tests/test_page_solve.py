@@ -242,6 +242,8 @@ def test_a_mistake_is_marked_at_its_place_and_clears(open_):
     assert "did you mean 'velocity'" in message.inner_text()
     assert page.locator("#statement").get_attribute("aria-invalid") == "true"
     assert "stale" in page.locator("#results").get_attribute("class")
+    over = "each => getComputedStyle(each, '::before').marginBottom"
+    assert page.locator("#results").evaluate(over) == "0px"  # the title stands beside it
     message.click()
     assert page.evaluate("() => getSelection().toString()") == "velocty"
     page.keyboard.insert_text("velocity")

@@ -456,7 +456,7 @@ def test_a_simulation_is_played_too():
 
 def test_what_has_no_path_is_refused():
     gas = r.Gas.fluid(3, 0.1, seed=1)
-    with pytest.raises(r.StatementError, match="can be played, not a Gas"):
+    with pytest.raises(TypeError, match="takes a Solution, a Motion or a Run, and not Gas"):
         r.play(gas)
 
 

@@ -498,6 +498,7 @@ def test_a_page_that_is_not_there(client):
         reply = client.get(path)
         assert reply.status_code == 404
         assert reply.headers["content-type"].startswith("text/html")
+        assert '<nav aria-label="Pages">' in reply.text
         home = reply.text.partition('<a href="')[2].partition('"')[0]
         assert client.get(str(reply.url.join(home).path)).text == client.get("/").text
     assert client.get("/lab/", follow_redirects=True).url.path == "/lab"

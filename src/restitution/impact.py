@@ -321,6 +321,8 @@ class _Reader:
             except StatementError as error:
                 _blame(error, what)
             return read.measure() if isinstance(read, Angle) else read
+        if isinstance(value, float) and not math.isfinite(value) and what != "e":
+            raise StatementError(f"{what} is {value}: it must be a finite number")
         shape = getattr(value, "shape", ())
         if hasattr(value, "free_symbols"):  # SymPy: an expression, or a matrix of two
             return Vector(*value) if len(shape) == 2 and math.prod(shape) == 2 else value

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from restitution.counting import listed
+from restitution.counting import listed, ordinal
 from restitution.drawing.sayings import Sayings, has_letters, state_after
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
@@ -32,13 +32,21 @@ def is_possible(motion: PartInNumbers, number: int) -> bool:
 
 
 def title(motion: PartInNumbers, number: int, panels: Sequence[When]) -> str:
-    """``Before and after: A hits B``."""
+    """``Before and after: A hits B``; of several alike, which of them: ``for the second time``."""
     step = motion.story.happenings[number - 1].step
     if isinstance(step, Kick):
         heading = f"{step.body} receives an impulse"
     else:
         assert isinstance(step, Impact)
         heading = f"{step.first} hits {step.second}"
+        alike = [
+            happening.number
+            for happening in motion.story.happenings
+            if isinstance(happening.step, Impact)
+            and {happening.step.first, happening.step.second} == {step.first, step.second}
+        ]
+        if len(alike) > 1:
+            heading += f" for the {ordinal(alike.index(number) + 1)} time"
     return f"{' and '.join(panels).capitalize()}: {heading}"
 
 

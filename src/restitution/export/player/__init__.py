@@ -11,7 +11,6 @@ from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
-from restitution.errors import StatementError
 from restitution.records import dataclass
 from restitution.render.page import page
 
@@ -82,7 +81,7 @@ def play(
     representative values, which the page tells. With ``as_``, the id of a mistake such as
     ``restitution-parallel`` or of one of its variants, the motion in its world is played beside it.
 
-    Raises StatementError for anything else, KeyError for a part that is not there, what kept the
+    Raises TypeError for anything else, KeyError for a part that is not there, what kept the
     problem from being solved, and UnsupportedError with the reason where no motion can be shown.
     """
     from restitution.export.player.data import of_motion, of_solution
@@ -96,8 +95,9 @@ def play(
     from restitution.solving.equations.solution import Solution  # no algebra for the others
 
     if not isinstance(motion, Solution):
-        raise StatementError(
-            f"a Solution, a Motion or a Run can be played, not a {type(motion).__name__}"
+        raise TypeError(
+            f"play takes a Solution, a Motion or a Run, and not {type(motion).__name__}: "
+            "restitution.solve(problem) makes one"
         )
     if as_ is not None:
         from restitution.export.player.beside import of_mistake

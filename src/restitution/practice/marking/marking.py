@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from restitution.errors import RestitutionError, StatementError
+from restitution.errors import RestitutionError, StatementError, require
 from restitution.explaining.mistakes.consequences import altered_world
 from restitution.explaining.mistakes.misconceptions import alteration
 from restitution.expression.tree import Expression
@@ -68,10 +68,11 @@ def mark(
     to a phrase (``component of A along i after``). ``hints`` is the level of messages, 0 to 4, for
     all lines or by line (None: for the next step).
 
-    Raises KeyError for a part that is not there, StatementError for a meaning that cannot be read,
+    Raises TypeError for what is no question, KeyError for a part that is not there, StatementError
+    for a meaning that cannot be read,
     and the error of a question that has no answer.
     """
-    solution = question if isinstance(question, Solution) else solve(question)
+    solution = _solved(question, "mark")
     script = read_working(working, solution.problem, letters or ())
     labels = _labels(solution)
     if part is None and None not in labels:
@@ -91,12 +92,17 @@ def mark_parts(
 
     A working that opens none is one of the first part.
     """
-    solution = question if isinstance(question, Solution) else solve(question)
+    solution = _solved(question, "mark_parts")
     script = read_working(working, solution.problem, letters or ())
     opened = {line.part for line in script.lines}
     labels = [label for label in _labels(solution) if label in opened] or _labels(solution)[:1]
     judged: dict[str | None, Judgement] = {}
     return tuple(_marked(solution, script, label, letters, hints, judged) for label in labels)
+
+
+def _solved(question: Problem | Solution, taker: str) -> Solution:
+    require(question, (Problem, Solution), taker)
+    return question if isinstance(question, Solution) else solve(question)
 
 
 def _labels(solution: Solution) -> list[str | None]:
@@ -113,7 +119,8 @@ def _marked(
 ) -> Marking:
     if part not in solution.parts:
         known = ", ".join(str(label) for label in _labels(solution) if label is not None)
-        raise KeyError(f"there is no part {part!r}; {f'parts: {known}' if known else 'no parts'}")
+        parts = f"parts: {known}" if known else "the question has no parts"
+        raise KeyError(f"there is no part {part!r}; {parts}")
     levels, usual = ({}, hints) if isinstance(hints, int) else (dict(hints), 0)
     for level in (usual, *levels.values()):
         if level not in LEVELS:
