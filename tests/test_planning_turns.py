@@ -596,6 +596,17 @@ def test_a_negative_coefficient_by_a_deflection_is_worked_out(
     assert "It is given that the angle of deflection of P is" in shown
 
 
+def test_a_negative_coefficient_by_the_tangent_of_a_deflection_is_worked_out() -> None:
+    text = "wall W: along j\nsphere P: mass 0.5, velocity 3i + j\nP hits W\n"
+    explanation = explain(
+        solve(parse(f"{text}given tan(deflection(P)) = 2\nfind e, impulse\n")), check=True
+    )
+    shown = " ".join(to_text(explanation, 120).split())
+    assert explanation.followed
+    assert "2 = (3 + 3e)/(−3 × 3e + 1)" in shown
+    assert "not written out" not in shown
+
+
 @pytest.mark.parametrize("mass", ["m", "k m"])
 def test_a_deflection_that_a_direct_impact_excludes_rests_on_its_line_alone(mass: str) -> None:
     text = (
@@ -651,7 +662,7 @@ def test_a_sphere_set_in_motion_comes_to_a_wall_at_the_angle_of_its_line_of_cent
     [
         ("show speed(B) = sqrt(3)/6 (1 + e) u", "30°", ("θ = 30° + 30° = 60°", "v = √3 u/6")),
         ("find speed(A)", "45°", ("θ = 45° + 30° = 75°", "tan 75° = (u/2)/(√3(1 − 2e)u/6)")),
-        ("find speed(A)", "80°", ("180° less both its angles", "θ = 180° − 80° − 30° = 70°")),
+        ("find speed(A)", "80°", ("180° less both", "θ = 180° − 80° − 30° = 70°")),
     ],
 )
 def test_a_deflection_that_is_given_tells_how_a_sphere_goes_on_along_the_line_of_centres(
@@ -703,6 +714,11 @@ def test_the_sense_after_an_impact_rests_on_the_deflection_that_is_given() -> No
         (
             "sphere A: mass 2m, velocity u at alpha\nsphere B: mass 2m, velocity 2u at 180° - 40°\n"
             "A hits B: along i\ngiven tan(alpha) = 3/4, speed(A) = speed(B)\nfind speed(A), e\n"
+        ),
+        # A component that turns out to be negative is put in before the deflection is.
+        (
+            "sphere A: mass 3, velocity 2i - 4j\nsphere B: mass 1.5, velocity 8 at 180° - beta\n"
+            "A hits B: along j\ngiven tan(beta) = 3/4, deflection(A) = 20°\nfind e\n"
         ),
         # What a law says stands once, also where a part between had values put in at first.
         (

@@ -27,7 +27,7 @@ from restitution.planning.angles.angles_after_walls import (
     given_by_the_sum,
 )
 from restitution.planning.angles.given_turns import given_turn
-from restitution.planning.angles.wall_turns import given_at_a_wall, related_at_a_wall
+from restitution.planning.angles.wall_turns import given_at_a_wall, goes_on, related_at_a_wall
 from restitution.planning.formulas.angle_formulas import cosine
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction
@@ -66,9 +66,11 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
     line = _from_an_axis(scene, equation, name.name, event, early, late)
     if line is not None:
         return line
-    # With e < 0 it would go on through the wall, and turn through no sum of angles.
-    goes_on = scene.model.sign(c.value) * scene.model.sign(d.value) > 0
-    if frame.wall is not None and not goes_on:
+    components = {own.symbol for own in scene.model.components.values()}
+    if d.value in components and scene.model.sign(d.value) < 0:
+        raise NotPlannedError("a component that is drawn in the other sense")
+    # With e < 0 it would turn through no sum of angles.
+    if frame.wall is not None and not goes_on(scene, name.name, frame):
         line = given_at_a_wall(scene, equation, name.name, frame, angle)
         line = line or related_at_a_wall(scene, equation)
         worth = Source(angle, together(equation.refs, refs))

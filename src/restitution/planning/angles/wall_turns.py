@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import sympy as sp
@@ -26,6 +27,7 @@ from restitution.expression.tree import (
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_data
 from restitution.planning.formulas.definitions import Formula
+from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.formulas.turns import Form
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
@@ -56,14 +58,15 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
 def given_tangent_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     """The equation of the tangent of a deflection that is given, by those of the angles to a wall.
 
-    None of what is no impact with a wall, or where the path has no angle to that.
+    None of what is no impact with a wall, or where the path has no angle to that; nor where e
+    comes to less than 0, with which the path goes on through the wall.
     """
     match equation.link.left:
-        case Apply("tan", Quantity("deflection", _, int(event)) as asked):
+        case Apply("tan", Quantity("deflection", (Name(body),), int(event)) as asked):
             frame = scene.frame(event) if event in scene.model.frames else None
         case _:
             return None
-    if frame is None or frame.wall is None:
+    if frame is None or frame.wall is None or goes_on(scene, body, frame):
         return None
     mark = scene.desk.mark()
     own = sum_at_a_wall(scene, asked, frame)
@@ -76,6 +79,13 @@ def given_tangent_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None
     if number is None:
         scene.desk.back(mark)
     return number
+
+
+def goes_on(scene: Scene, body: str, frame: Frame) -> bool:
+    """Whether a path goes on through a wall, as it does with a coefficient below 0."""
+    stages = frame.number - 1, frame.number
+    both = (in_direction(scene, "along", body, stage, frame).value for stage in stages)
+    return math.prod(map(scene.model.sign, both)) > 0
 
 
 def sum_at_a_wall(
