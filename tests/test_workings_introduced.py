@@ -284,7 +284,7 @@ def test_a_speed_that_walls_keep_is_shown_by_that() -> None:
             "AB is perfectly elastic, so P keeps its speed:",
             "BC is perfectly elastic, so P keeps its speed:",
             "speed of P after the second impact = u",
-            "Angle between 𝐯₂ and 𝐮 = (√3 u/2)𝐢 − (u/2)𝐣, by the scalar product:",
+            "By the scalar product of 𝐯₂ and 𝐮 = (√3 u/2)𝐢 − (u/2)𝐣:",
         ],
     )
     text = printed_with(TWO_MIRRORS.format(angle="40°", e="1"), ["V is perfectly elastic, so"])
@@ -299,7 +299,7 @@ def test_a_speed_that_walls_keep_is_shown_by_that() -> None:
                 "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
                 "given sin(alpha) = 3/5\nfind velocity(P), angle(velocity(P), velocity(P, 0))"
             ),
-            "𝐮_P = (4u/5)𝐢 − (3u/5)𝐣, by",
+            "𝐮_P = (4u/5)𝐢 − (3u/5)𝐣:",
         ),
         (
             (
@@ -307,7 +307,7 @@ def test_a_speed_that_walls_keep_is_shown_by_that() -> None:
                 "A hits B: along i, e = 1/2\n"
                 "find velocity(B), cos(angle(velocity(B), velocity(A, 0)))"
             ),
-            "𝐮_A = √3 u𝐢 + u𝐣, by",
+            "𝐮_A = √3 u𝐢 + u𝐣:",
         ),
     ],
 )

@@ -433,7 +433,7 @@ show angle(velocity(P), W) <= alpha
             "sphere Q: velocity v_Q at alpha to W\ngiven tan(alpha) = 3/4\nP hits W: e = 1/2\n"
             "find impulse\nQ hits W: e = 1/2\nfind speed(Q)"
         ),
-        ["Second impact: Q hits W", "sin α = ⅗", "Parallel to W"],
+        ["Second impact: Q hits W", "sin α = ⅗", "Parallel to W the velocity"],
     ),
     "the square of a coefficient bounds a loss": (
         (
@@ -471,7 +471,7 @@ show angle(velocity(P), W) <= alpha
             "A hits B: along i, e = 2/3\nlet theta = angle(velocity(A), velocity(B))\n"
             "find cos(theta)"
         ),
-        ["Angle between 𝐯_A = −2u𝐢 + 2u𝐣 and 𝐯_B = −u𝐣, by the scalar product:"],
+        ["By the scalar product of 𝐯_A = −2u𝐢 + 2u𝐣 and 𝐯_B = −u𝐣:"],
     ),
     "what does not change at a wall is said of a share of the energy": (
         (

@@ -304,7 +304,7 @@ SENTENCES: Mapping[str, str] = {
         "The scalar product of two vectors is the sum of two products: of their components in one "
         "direction, and of those at right angles to it. It is a number, and no vector."
     ),
-    "derived-between.title-of": "Angle between {one} and {other}, by the scalar product:",
+    "derived-between.title-of": "By the scalar product of {one} and {other}:",
     "derived-between.title-along": (
         "Angle between {one} and {other}, by the scalar product of {first} and {second}, which are "
         "in their directions:"
