@@ -845,3 +845,12 @@ def test_a_long_line_that_is_quoted_shows_that_it_goes_on(folder):
     _, _, messages = run("check", "-", stdin=f"spere P: {'very ' * 30}".encode(), cwd=folder)
     (quoted, *_) = (row for row in messages.splitlines() if " | " in row and "^" not in row)
     assert quoted.endswith("…") and len(quoted) <= 80
+
+
+def test_that_there_is_no_further_way_is_said(folder):
+    status, out, err = run("solve", "good.impact", "--route", "2", cwd=folder)
+    assert (status, out) == run("solve", "good.impact", cwd=folder)[:2]
+    assert err == "good.impact: there is no further way: this is that of --route 1\n"
+    two_ways = examples.text("mass-ratio").encode()
+    for stdin, route in ((GOOD.encode(), "1"), (two_ways, "2")):
+        assert "further way" not in run("solve", "-", "--route", route, stdin=stdin)[2]

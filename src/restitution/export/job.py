@@ -9,6 +9,7 @@ import gc
 import time
 import traceback
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from importlib import import_module
@@ -373,9 +374,9 @@ def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ..
 class _Explained:
     """What came of the working: its text or value, why there is none, and a fault's traceback.
 
-    ``notes`` tell whether it was followed, if that was asked; ``sound`` is False for a fault, and
-    where it was not followed to its end. ``proved`` are warnings of the solution that the working
-    makes needless, as its lines are the proof.
+    ``notes`` tell whether it was followed, and that there is no other way, where that was asked;
+    ``sound`` is False for a fault, and where it was not followed to its end. ``proved`` are
+    warnings of the solution that the working makes needless, as its lines are the proof.
     """
 
     value: Any = None
@@ -409,11 +410,27 @@ def _explained(
     except Exception:  # noqa: BLE001 - whatever it is, the answers stand
         # The answers are right without their working: they are given, and the fault told.
         return _Explained(fault=traceback.format_exc(), sound=False)
+    notes: tuple[str, ...] = ()
+    with suppress(RestitutionError), limited(_left(whole, began, _WRITTEN)):
+        notes = _of_the_way(solution, task, explanation)
     proved = frozenset(solution.warnings) - frozenset(explanation.warnings)
     if not task.check:
-        return _Explained(content, proved=proved)
+        return _Explained(content, notes=notes, proved=proved)
     followed = explanation.followed is True
-    return _Explained(content, notes=(_FOLLOWED[followed],), sound=followed, proved=proved)
+    notes = (*notes, _FOLLOWED[followed])
+    return _Explained(content, notes=notes, sound=followed, proved=proved)
+
+
+def _of_the_way(solution: Solution, task: Writing, explanation: Explanation) -> tuple[str, ...]:
+    """What to say where another way was asked for, and there is none."""
+    from restitution.workings import explain
+
+    better = task.route - 1
+    if not better or str(explain(solution, task.part, marks=task.marks, route=better)) != str(
+        explanation
+    ):
+        return ()
+    return (f"there is no further way: this is that of --route {better}",)
 
 
 _FOLLOWED = {
