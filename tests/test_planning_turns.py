@@ -762,3 +762,43 @@ find deflection(B)
         )
     )
     assert f"{words} δ = {angle}" in " ".join(text.split())
+
+
+@pytest.mark.parametrize(
+    ("claim", "line", "conclusion"),
+    [
+        (
+            "velocity(A) - velocity(B) perpendicular to i + j",
+            "(𝐯_A − 𝐯_B) · (𝐢 + 𝐣) = 2 − 2 = 0",
+            "So 𝐯_A − 𝐯_B is perpendicular to 𝐢 + 𝐣, as required.",
+        ),
+        (
+            "velocity(A) - velocity(B) perpendicular to line_of_centres",
+            "(𝐯_A − 𝐯_B) · 𝐧 =",
+            "So 𝐯_A − 𝐯_B is perpendicular to the line of centres, as required.",
+        ),
+        (
+            "velocity(A) - velocity(A, 0) parallel to i + j",
+            "𝐯_A − 𝐮_A = −(9/5)(𝐢 + 𝐣)",
+            "So 𝐯_A − 𝐮_A is parallel to 𝐢 + 𝐣, as required.",
+        ),
+    ],
+)
+def test_the_direction_of_a_difference_of_velocities_is_shown(
+    claim: str, line: str, conclusion: str
+) -> None:
+    text = to_text(
+        explain(
+            solve(
+                parse(f"""
+sphere A: mass 2, velocity 5i - j
+sphere B: mass 3, velocity -2j
+A hits B: along i + j, e = 0
+find velocity(A), velocity(B)
+show {claim}
+""")
+            )
+        )
+    )
+    assert line in text
+    assert conclusion in " ".join(text.split())

@@ -180,7 +180,7 @@ def _tied(
     scene = claims.scene
     moving = [body_and_stage(scene, tree) for tree in pair if is_quantity(tree, "velocity")]
     if not moving:
-        raise NotPlannedError("directions of no velocity")
+        return _of_a_sum(claims, record, pair)
     by_angle = _by_the_angle(claims, record, pair, moving, own_relation)
     if by_angle is not None:
         return by_angle, own_relation
@@ -211,6 +211,15 @@ def _tied(
         if line is not None:
             return line, own_relation
     raise NotPlannedError("two directions")
+
+
+def _of_a_sum(claims: Claims, record: str, pair: Sequence[Expression]) -> tuple[int, Relation]:
+    """That a difference of velocities is at right angles to a direction, by a scalar product."""
+    sums = [tree for tree in pair if has_quantity(tree) and not isinstance(tree, Quantity)]
+    if record != "perpendicular" or len(sums) != 1:
+        raise NotPlannedError("directions of no velocity")
+    shown = Link(Quantity("dot", tuple(pair)), "=", ZERO)
+    return ShownEquation(claims, shown).write(), Relation(((shown,),))
 
 
 def _by_the_angle(
@@ -347,7 +356,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     sign = proved_sign(scene.model.oracle.with_facts(moving), factor)
     sense = 1 if right is link.right else -1
     wanted = sign if relation.relation == "parallel to" else sense
-    if not isinstance(left, Quantity) or sign == 0 or sign != wanted:
+    if not has_quantity(left) or sign == 0 or sign != wanted:
         raise NotPlannedError("two directions")
     if sign is None and relation.relation != "parallel to":
         raise NotPlannedError("two directions")  # the factor may vanish, or have either sign
@@ -358,6 +367,6 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
         right = fact.relation.only[0].right
     parallel = Link(left, "=", product(tree_of(factor), right))
     line = ShownEquation(claims, parallel).write()
-    if left.kind == "impulse":  # a velocity is known by its components
+    if is_quantity(left, "impulse"):  # a velocity is known by its components
         scene.desk.know(left, Vector(*(factor * component for component in (bx, by))), (line,))
     return line, Relation(((parallel,),))

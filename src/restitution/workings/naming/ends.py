@@ -266,6 +266,11 @@ class Ends:
         match asked.relation if isinstance(asked, Show) else None:
             case Meets() as relation:
                 return claim_of_meeting(relation, self._naming)
+            case Aligned(_, "perpendicular to" as how) if end.answer.only[0].sign == "=":
+                product = end.answer.only[0].left  # which is zero
+                assert isinstance(product, Quantity)
+                one, two = map(self._side, product.arguments)
+                return say(_ALIGNED[how], left=one, right=two)
             case Aligned(_, how, other) if end.answer.only[0].sign == "=":
                 link = end.answer.only[0]
                 own = list(quantities_in(link.right))
