@@ -147,6 +147,12 @@ def test_the_command_lists_topics():
     assert max(map(len, output.splitlines())) <= 80
 
 
+def test_topics_are_no_wider_than_the_terminal(monkeypatch):
+    monkeypatch.setattr(practising, "terminal_width", lambda: 40)
+    _, output, _ = run("practise", "--topics")
+    assert max(map(len, output.splitlines())) <= 40
+
+
 def test_the_command_keeps_a_state(tmp_path):
     path = tmp_path / "mine.json"
     arguments = ("practise", "wall-forward", "--seed", "1", "--state", str(path))

@@ -6,9 +6,10 @@ import sys
 import time
 from datetime import datetime
 from pathlib import Path
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from restitution.cli.files import parse, read, say, shown_name
+from restitution.cli.files import parse, read, say, shown_name, terminal_width
 from restitution.cli.output import put, write_file
 from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
@@ -35,16 +36,19 @@ class Practising:
 
 
 def list_topics() -> None:
-    """Writes down the topics by group, with their ids."""
+    """Writes down the topics by group, with their ids, no wider than the terminal."""
     from restitution.practice.questions.topics import TOPICS
 
     group = ""
     longest = max(len(topic.id) for topic in TOPICS)
+    width = terminal_width()
     for topic in TOPICS:
         if topic.group != group:
             group = topic.group
             put(f"{group}\n")
-        put(f"  {topic.id:<{longest}}  {topic.asks}\n")
+        start = f"  {topic.id:<{longest}}  "
+        rows = wrap(topic.asks, width, initial_indent=start, subsequent_indent=" " * len(start))
+        put("".join(f"{row}\n" for row in rows))
 
 
 def practise(asked: Practising) -> int:
@@ -124,7 +128,6 @@ class _State:
 
 def _hold(asked: Practising, kept: _State) -> int:
     """Question after question, until the user ends it."""
-    from restitution.cli.files import terminal_width
     from restitution.practice.questions.session import (
         GUIDE,
         Conversation,
