@@ -38,7 +38,12 @@ SAYS: dict[str, tuple[str, list[str], list[str]]] = {
     # v > -(1 + e)u/6 as e < 1.
     "a part in which more is known of a letter goes on with what stands": (
         BACK + "part b\nB hits W: e = 1/2\ngiven e > 1/2, A and B collide again\nfind range of e\n",
-        ["collide again if the gap", "(1 − 2e)u/3 > −(1 + e)u/6", "e < 1", "½ < e < 1"],
+        [
+            "A is behind B, so they collide again if the component of",
+            "(1 − 2e)u/3 > −(1 + e)u/6",
+            "e < 1",
+            "½ < e < 1",
+        ],
         ["not written out"],
     ),
     # v = (1 - 2e)u, so A loses all that it has along i.

@@ -569,7 +569,7 @@ show angle(velocity(P), W) <= alpha
             "sphere B: mass 2, at (6, 0), at rest\nA hits B: along i, e = 1/2\nB hits W: e = 1/3\n"
             "B hits A: along i, e = 1/2\nfind velocity(A), velocity(B)"
         ),
-        ["6 = v₁ + 2w₁", "2(−1) = 2w₂ + v₂", "w₂ − v₂ = ½"],
+        ["6 = v₁ + 2w₁", "2(−1) = 2w₃ + v₃", "w₃ − v₃ = ½"],
     ),
     "a speed of the statement is no velocity after": (
         (
