@@ -160,7 +160,7 @@ def test_a_component_beside_one_that_is_rounded_has_three_figures() -> None:
     printed_with(
         "sphere A: mass 7, velocity 4i + j\nsphere B: mass 6, velocity -i\n"
         "A hits B: along i, e = 3/5\nfind velocity(A)\n",
-        ("𝐯_A = (4/13)𝐢 + 𝐣 ≈ (0.308𝐢 + 𝐣) m s⁻¹",),
+        ("𝐯_A = (4/13)𝐢 + 𝐣 ≈ (0.308𝐢 + 1.00𝐣) m s⁻¹",),
     )
 
 

@@ -214,9 +214,9 @@ def _display_pair(x: Any, y: Any, build: Any, decimals: bool = False) -> Layout:
 
 
 def _with_three_figures(value: Expr) -> Layout:
-    """A component beside one that is rounded: it has three figures too, unless it is whole."""
+    """A component beside one that is rounded: it has three figures too, unless it is 0 or *a*."""
     number, rest = _number_and_letters(value)
-    if number is None or (number.is_Integer and abs(number) < 10**_ROUNDED):
+    if number is None or value == 0 or (abs(number) == 1 and rest != 1):
         return from_sympy(value)
     return _times_letters(decimal_number(number), rest)
 

@@ -343,7 +343,7 @@ def number_carried(value: sp.Expr, figures: int) -> Fraction | None:
 def rounded(tree: Expression) -> lay.Layout | None:
     """A value to three figures; None where its exact form says enough, or is no number.
 
-    A vector has three figures in every component that is not whole, or in none.
+    A vector has three figures in every component, or none.
     """
     if has_quantity(tree):
         return None
@@ -541,9 +541,7 @@ def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
 
 
 def _decimal(value: sp.Expr) -> lay.Layout:
-    if value.is_Integer and abs(value) < 10**_FIGURES:
-        return lay.from_sympy(value)
-    return lay.decimal_number(value, _FIGURES)
+    return lay.Number("0") if value == 0 else lay.decimal_number(value, _FIGURES)
 
 
 def _terminates(value: sp.Expr) -> bool:
