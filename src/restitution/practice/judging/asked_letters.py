@@ -125,6 +125,10 @@ class AskedLetters(Doubts):
         if len(names) != 1:
             return line
         (name,) = names
+        base, _, number = name.partition("_")
+        others = {other for e in lines if e != line for other in names_in(e.line)}
+        if number.isdigit() and any(other.startswith(f"{base}_") for other in others):
+            return line  # the velocity at the start, before v2 and v3
         word = re.compile(rf"(?<![^\W\d_]){re.escape(name)}(?![^\W_])")
         if any(names & names_in(e.line) or word.search(e.line.text) for e in lines if e != line):
             return line
