@@ -108,9 +108,9 @@ WRONG = {
         3,
     ),
     PAIR + "A hits B: along i, e = 1.2\n": ("a coefficient of restitution lies in [0, 1]", 3),
-    PAIR + "A hits B: along i, e = -1/2\n": ("e = -1/2 ", 3),
-    PAIR + "A hits B: along i, e = 1 + 10^-30\n": ("e = 1 + 10^(-30) ", 3),
-    PAIR + "A hits B: along i, e = -10^-30\n": ("e = -10^(-30) ", 3),
+    PAIR + "A hits B: along i, e = -1/2\n": ("e = -1/2", 3),
+    PAIR + "A hits B: along i, e = 1 + 10^-30\n": ("e = 1 + 10^(-30)", 3),
+    PAIR + "A hits B: along i, e = -10^-30\n": ("e = -10^(-30)", 3),
 }
 
 

@@ -106,7 +106,7 @@ def test_an_obtuse_angle_goes_by_the_sign_of_the_tangent_that_was_shown(delta: s
     assert "tan δ ≤ 0, as 90° < δ ≤ 180°" in parts["b"]
     assert "1 − 4e < 0, as e ≥ 0 e > ¼ ¼ < e ≤ 1" in parts["b"]
     assert "3 − tan²α > 0, as α is acute" in parts["c"]
-    assert parts["c"].endswith("0° < α < 60°, as α is acute A1")
+    assert parts["c"].endswith("0 < tan α < √3, as α is acute 0° < α < 60° A1")
     assert "scalar product" not in parts["b"] + parts["c"]
 
 

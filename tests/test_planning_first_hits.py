@@ -93,7 +93,7 @@ SAYS = {
             "sphere P: velocity u at 180° + alpha\nP hits V: e = 1/3\ngiven P will hit W\n"
             "find range of alpha"
         ),
-        ["in the direction of −√3 𝐢 − 𝐣", "tan α < 3√3", "0° < α < 79.1°"],
+        ["in the direction of −√3 𝐢 − 𝐣", "tan α < 3√3", "0° < α < arctan(3√3) ≈ 79.1°"],
     ),
     "towards one from the far end, where the sphere has no place": (
         (

@@ -101,7 +101,7 @@ A hits B: along i
 given direction(A) = 180°
 find range of e
 """,
-        ("v₂ < 0", "½ < e ≤ 1"),
+        ("v₃ < 0", "½ < e ≤ 1"),
     ),
     "back, against its own velocity along an axis": (
         """
@@ -161,8 +161,8 @@ find range of alpha
 """,
         (
             "(3 − 2 cos α)/(1 + 2 cos α) < 1, as e ≤ 1",
-            "cos α > ½",
-            "0° < α < 60°, as α is acute",
+            "cos α > ½, as α is acute",
+            "0° < α < 60°",
         ),
     ),
 }

@@ -312,8 +312,8 @@ B hits W: e = 1/2
         (
             BACK + "given A and B do not collide again\nfind range of e",
             (
-                "does not close: (2 − 3e)u/5 ≤ −(1 + e)u/5 DM1 e ≥ 3/2 But e ≤ 1. "
-                "So what is described cannot happen."
+                "component of A is at most that of B: (2 − 3e)u/5 ≤ −(1 + e)u/5 DM1 e ≥ 3/2 "
+                "But e ≤ 1. So what is described cannot happen."
             ),
         ),
         (

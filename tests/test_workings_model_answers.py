@@ -530,7 +530,7 @@ def test_a_sum_of_values_of_an_earlier_part_has_one_sentence() -> None:
         part b
         find abs(impulse(P, 1) + impulse(P, 2))
         """,
-        ["(b) With the impulse on P at the first impact"],
+        ["(b) Adding, with the impulse on P at the first impact"],
     )
     assert "With these values" not in text
 
