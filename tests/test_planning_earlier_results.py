@@ -343,3 +343,12 @@ def test_vectors_that_cancel_are_compared_in_numbers() -> None:
         "part b\nfind velocity(B), velocity(C)"
     )
     assert "6𝐢 − 3 × 2𝐢 = 3.3𝐢 − 3.6𝐣 + 3𝐯_C" in parts["b"]
+
+
+def test_a_greatest_deflection_goes_on_from_the_tangent_that_was_shown() -> None:
+    parts = worked(
+        STRUCK + "part a\nshow tan(deflection(A)) = tan(theta)/(1 + 2tan^2(theta))\n"
+        "part b\nfind maximum of deflection(A) over theta\n"
+    )
+    assert "tan δ ≤ √2/4" in parts["b"]
+    assert "greatest value of δ = arctan(√2/4) ≈ 19.5°" in parts["b"]

@@ -109,6 +109,8 @@ def test_a_wall_lies_along_a_vector(typed: str, state: str) -> None:
     [
         ("gradient of J = -1", "true"),
         ("grad of change in velocity = 4/(-4) = -1", "true"),
+        ("Δv of P = -4i + 4j", "true"),
+        ("Δv for P = -4i - 4j", "false"),
         ("impulse has gradient -1, m1 m2 = -1 so gradient of W = 1", "true"),
         ("slope of v - u is 1", "false"),
     ],

@@ -478,7 +478,7 @@ show angle(velocity(P), W) <= alpha
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
             "given energy_lost = q energy(0)\nfind e in terms of alpha, q"
         ),
-        ["Half the mass cancels, and the component parallel to W does not"],
+        ["Dividing by half the mass, as the component parallel to W does not"],
     ),
     "who moves along the line of centres was at rest": (
         (

@@ -258,7 +258,7 @@ def test_a_share_of_an_energy_is_said_again_in_a_later_part() -> None:
         "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
         "given tan(alpha) = 2, energy_lost/energy(0) = 3/5\npart a\nfind e\npart b\n"
         "find speed(P)\n",
-        ("the fraction lost is ⅗. Half the mass cancels: u² − (speed of P)² = 3u²/5",),
+        ("the fraction lost is ⅗. Dividing by half the mass: u² − (speed of P)² = 3u²/5",),
     )
     assert "Ratio of kinetic energies" not in text
 

@@ -201,12 +201,13 @@ class Worths:
 
     def angle(self, angle: Quantity) -> int:
         """Writes the tangent of an angle, with a letter that is introduced before it."""
-        named = letter_known(self.scene, angle)
+        named, own = letter_known(self.scene, angle), self._tangent(Apply("tan", angle))
         # It may have a letter, and a line may say the tangent of that.
-        standing = None if named is None else self._tangent(Apply("tan", Letter(named[0])))
-        if standing is not None:
-            return self.tangent_closed(standing)
-        if self._tangent(Apply("tan", angle)) is not None or angle.kind not in _ANGLES:
+        if named is not None and (own is None or isinstance(named[1], str)):
+            lettered = self._tangent(Apply("tan", Letter(named[0])))
+            if lettered is not None:
+                return self.tangent_closed(lettered)
+        if own is not None or angle.kind not in _ANGLES:
             return self.quantity(angle)
         mark = self.mark()
         try:

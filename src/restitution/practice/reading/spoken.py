@@ -183,7 +183,7 @@ _RATIO_OF = re.compile(r"\b(sin|cos|tan)\s+of\s+(?:the\s+)?(?=angle\b)")
 _TANGENT_OF_WALL = re.compile(
     r"\btan\s+(?:of\s+)?(?:the\s+)?(?:wall\s+angle|angle\s+of\s+(?:the\s+)?wall)(?=\s*[=:])"
 )
-_CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
+_CHANGE = re.compile(r"\bchange\s+in\s+v(?:(?:_?|\s+(?:of|for)\s+)([A-Z]))?(?=\s*=)")
 
 
 def with_labels(line: Plain, problem: Problem) -> Plain:

@@ -31,10 +31,10 @@ SENTENCES: Mapping[str, str] = {
     ),
     "given.some-multiple": "It is given that {fact}, so for some number {letter}:",
     "given.fact-across-wall": (
-        "It is given that {fact}. Half the mass cancels, and the component parallel to {wall} does "
-        "not change:"
+        "It is given that {fact}. Dividing by half the mass, as the component parallel to {wall} "
+        "does not change:"
     ),
-    "given.fact-without-mass": "It is given that {fact}. Half the mass cancels:",
+    "given.fact-without-mass": "It is given that {fact}. Dividing by half the mass:",
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
     "given.and": "It is given that {fact}.",
