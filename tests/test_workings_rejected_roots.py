@@ -228,3 +228,21 @@ TAKEN = {
 @pytest.mark.parametrize("text", TAKEN)
 def test_which_of_two_lines_is_meant_is_taken(text: str) -> None:
     assert TAKEN[text] in " ".join(to_text(explain(solve(parse(text)))).split())
+
+
+def test_a_coefficient_of_an_excluded_case_is_not_called_impossible() -> None:
+    """The sphere comes back only with e = 3/2, and not with the ½ of the other case."""
+    statement = """
+sphere A: mass 2, velocity 4i + 3j
+sphere B: mass 1, velocity -2i + j
+A hits B: along i
+given speed(A) = sqrt(10)
+part a
+find e
+part b
+given along(velocity(A), i) < 0
+find energy_lost
+"""
+    text = to_text(explain(solve(parse(statement))))
+    assert "e = ½ is impossible" not in text
+    assert "cannot be found, as no value of e is possible." in " ".join(text.split())

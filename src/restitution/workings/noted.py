@@ -272,6 +272,9 @@ class Notes:
         bound = bounds[0]
         left, right = _bounded(relation, self._bounds_of(bound))
         over = "<=" in str(bound)
+        if not letters(right) and 0 <= worth(right) <= 1:
+            # That is the value of a case that this part excludes.
+            return say("note.none-value", items=items, letter=self._naming.layout(left))
         links = [self._figures(Link(left, "=", right))]
         if has_root(right) and any(is_binary(node, "+", "-") for node in walk(right)):
             links = [_rounded_beyond(links[0], int(over))]
