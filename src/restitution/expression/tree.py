@@ -452,6 +452,15 @@ def is_vector(tree: Expression) -> bool:
     return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
+def terms_of(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum, or of a difference, without their signs."""
+    if is_binary(tree, "+", "-"):
+        yield from terms_of(tree.left)
+        yield from terms_of(tree.right)
+    else:
+        yield tree
+
+
 def has_unit_vector(tree: Expression) -> bool:
     """Whether **i** or **j** stands in an expression."""
     return any(isinstance(node, Unit) for node in walk(tree))

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     is_binary,
     is_zero,
     letters,
+    terms_of,
 )
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
@@ -188,21 +189,12 @@ def _sums(tree: Expression, name: str) -> Iterator[Expression]:
         for child in children(tree):
             yield from _sums(child, name)
         return
-    terms = list(_terms(tree))
+    terms = list(terms_of(tree))
     inside = [list(_sums(term, name)) for term in terms]
     if any(name in letters(a) and not b for a, b in zip(terms, inside, strict=True)):
         yield tree
     else:
         yield from (base for own in inside for base in own)
-
-
-def _terms(tree: Expression) -> Iterator[Expression]:
-    match tree:
-        case Binary("+" | "-", left, right):
-            yield from _terms(left)
-            yield from _terms(right)
-        case _:
-            yield tree
 
 
 def _is_plain(power: sp.Expr) -> bool:

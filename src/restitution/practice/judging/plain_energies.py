@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     is_quantity,
     letters,
     quantities_in,
+    terms_of,
     walk,
 )
 from restitution.practice.judging.claimed import has_value, holds_in, meant_by
@@ -220,7 +221,7 @@ def has_energies_of_both(entry: Entry, world: World) -> bool:
 
     Or it is what a body loses or gains of its energy.
     """
-    terms = list(_terms(entry.claim.right))
+    terms = list(terms_of(entry.claim.right))
     sizes = [_size(term, entry, world) for term in terms]
     stages = range(len(world.events) + 1)
     for body in world.start:
@@ -239,15 +240,6 @@ def has_energies_of_both(entry: Entry, world: World) -> bool:
 
 def _is_once_or_twice(size: Array, energy: Array) -> bool:
     return any(bool(np.all(np.abs(size - k * energy) <= _TINY * energy)) for k in (1, 2))
-
-
-def _terms(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum."""
-    if is_binary(tree, "+", "-"):
-        yield from _terms(tree.left)
-        yield from _terms(tree.right)
-    else:
-        yield tree
 
 
 def is_of_exchanged_squares(entry: Entry, world: World) -> bool:

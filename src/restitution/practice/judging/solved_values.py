@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,7 +12,6 @@ from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Binary,
-    Expression,
     Letter,
     Quantity,
     is_binary,
@@ -20,6 +19,7 @@ from restitution.expression.tree import (
     letters,
     quantities_in,
     rational,
+    terms_of,
 )
 from restitution.practice.judging.claimed import meant_by
 from restitution.practice.judging.deduction import deduced_from
@@ -91,20 +91,10 @@ def is_solved_from(entry: Entry, above: Entry, world: World) -> bool:
     if isinstance(claim.left, Letter) and not letters(claim.right):
         return True
     numbers, known = (
-        {abs(x) for side in both for term in _terms(side) if (x := worked_out(term))}
+        {abs(x) for side in both for term in terms_of(side) if (x := worked_out(term))}
         for both in (sides, sides_above)
     )
     return not (numbers & known).issubset({1})
-
-
-def _terms(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum."""
-    match tree:
-        case Binary("+" | "-", left, right):
-            yield from _terms(left)
-            yield from _terms(right)
-        case _:
-            yield tree
 
 
 def _factor(entry: Entry, world: World) -> Fraction | None:
