@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.expression.tree import Expression, Name, Quantity, Stage, is_quantity
+from restitution.expression.tree import (
+    Expression,
+    Name,
+    Quantity,
+    Stage,
+    Unit,
+    is_quantity,
+    letters,
+)
 from restitution.practice.reading.features import Features
 from restitution.problem import Compare, Find, Impact, Kick, Problem, Range, Show, Value
 
@@ -64,10 +72,13 @@ class Moments:
         return {event.first, event.second} if isinstance(event, Impact) else set()
 
     def blows(self) -> Iterator[Expression]:
-        """The impulses that bodies receive before, between or after the impacts."""
+        """The impulses that bodies receive, and the components of those that are to be found."""
         for number, event in enumerate(self.events, 1):
             if isinstance(event, Kick):
-                yield Quantity("impulse", (Name(event.body),), self.after(number))
+                blow = Quantity("impulse", (Name(event.body),), self.after(number))
+                yield blow
+                for axis in (Unit("i"), Unit("j")) if letters(event.impulse) else ():
+                    yield Quantity("along", (blow, axis))
 
     def bodies(self, event: int) -> list[str]:
         """The spheres of which the phrase may speak."""

@@ -529,8 +529,7 @@ class _Reader(RightAngles):
         yield from (size, *vectors, negated(size))
         for body in self.bodies_met(event) if self.features.target not in named else ():
             yield Quantity("impulse", (Name(body),), after)
-        for blow in self.blows():
-            yield from (blow, *(Quantity("along", (blow, unit)) for unit in _UNITS))
+        yield from self.blows()
 
     def momentum(self, event: int) -> Iterator[Expression]:
         """Momenta along the line of centres, and as vectors."""
