@@ -96,7 +96,7 @@ def test_a_velocity_of_known_size_is_along_the_way_to_a_known_place() -> None:
         """
     )
     text = to_text(explanation_of(awarded(derivation), problem))
-    assert "The path is in the\ndirection of the velocity:" in text
+    assert "The velocity is in the\ndirection of the path:" in text
     assert "𝐮_P = 10(((4𝐢 + 6𝐣) − (𝐢 + 2𝐣))/5) = 10((3𝐢 + 4𝐣)/5)" in text
     assert "a𝐢 + b𝐣" not in text
 

@@ -309,8 +309,12 @@ def test_at_rest_is_said_of_no_other_velocity() -> None:
 
 SAID = {
     "what grows with a letter": (
+        OBLIQUE + "find maximum of speed(B) over e",
+        "increases with e, α is acute and e ≤ 1",
+    ),
+    "the square of a coefficient": (
         WALL + "find maximum of speed(P) over e",
-        "as u√(cos²α + e² sin²α) increases with e and 0 ≤ e ≤ 1",
+        "= u√(cos²α + e² sin²α) speed of P ≤ u, as e² ≤ 1 greatest",
     ),
     "an energy without the square": (
         OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k",

@@ -615,7 +615,7 @@ def test_an_angle_that_is_summed_in_degrees_has_its_degrees_before() -> None:
         "given energy_lost = 1/3 energy(0)\nfind deflection(P)"
     )
     place = own.index("δ ≈ 37.76° + 14.48°")
-    assert "≈ 37.76°" in own[:place] and "β ≈ 14.48°" in own[:place]
+    assert "α ≈ 37.76°" in own[:place] and "β ≈ 14.48°" in own[:place]
 
 
 def test_a_direction_in_exact_degrees_says_its_quadrant() -> None:

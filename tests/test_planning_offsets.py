@@ -247,7 +247,10 @@ def test_an_offset_that_a_later_part_gives_leaves_the_angle_to_the_first() -> No
     text = " ".join(printed(problem, derivation).split())
     assert "so tan φ = ½, sin φ = √5/5 and x = 2√5 a/5" in text
     assert "sin φ = a/(2a) = ½ φ = 30°" in text
-    assert "Substituting for φ and tan β: (2√3/(3(1 − e)) − √3/3)" in text
+    assert "Substituting for φ in (13): v = √3(1 − e)V/4" in text
+    # β = δ + φ, where v is not negative.
+    assert "As v ≥ 0 (since e ≤ 1), P keeps its sense" in text and "β = 45° + 30° = 75°" in text
+    assert "tan 75° = (V/2)/(√3(1 − e)V/4)" in text and "e ≈ 0.691" in text
 
 
 OFFSET_OF_A_RADIUS = (
@@ -260,9 +263,10 @@ def test_a_given_deflection_and_the_angle_that_an_offset_makes_give_the_other_an
     problem, derivation = planned(OFFSET_OF_A_RADIUS + "given deflection(A) = 30°\nfind e")
     assert follow(derivation, Oracle(roles(problem))) == ()
     text = " ".join(printed(problem, derivation).split())
-    assert "β = 30°" in text and "θ = 30° + 30° = 60°" in text
-    # √3 = 2/(√3(1 − e))
-    assert "tan 60° = (U/2)/(√3(1 − e)U/4)" in text and "e = ⅓" in text
+    assert "and is 30°" in text and "θ = 30° + 30° = 60°" in text
+    # √3 = (U/2)/v, so that both laws have one unknown each.
+    assert "tan 60° = (U/2)/v" in text and "v = √3 U/6" in text
+    assert "√3 U/3 − √3 U/6 = e(√3 U/2)" in text and "e = ⅓" in text
 
 
 def test_what_the_impulse_leaves_is_no_scalar_product_of_the_velocity_that_it_makes() -> None:
