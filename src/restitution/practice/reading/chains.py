@@ -100,7 +100,7 @@ class Statements:
     past: Past = field(default_factory=Past)
 
 
-def _is_way(label: Token) -> bool:
+def _is_direction(label: Token) -> bool:
     """Whether a label names a way and no quantity: ``j direction: 2v + 3w = 4``."""
     heads = {HEADS[word] for word in label.name.split() if word in HEADS}
     return label.kind == "phrase" and heads <= {"direction", "component"}
@@ -176,7 +176,7 @@ class Chains:
         self.statements = Statements()
         self.links: list[Link] = []
         self.label: Token | None = None
-        self.way: Token | None = None
+        self.direction: Token | None = None
         self.power: tuple[Side, ...] = ()
         self.declares = self.supposes = False
         self.defines = False
@@ -471,7 +471,7 @@ class Chains:
             return
         label, self.label = self.label, None
         first = read[0][0].tree
-        if _is_way(label) and is_vector(first, self.usage.vectors):
+        if _is_direction(label) and is_vector(first, self.usage.vectors):
             return  # perp: (5, 10) - 10n = (-3, 4)
         if is_heading(label) and letters(first) and not is_angle(first, self.usage.angles):
             return  # opposite direction: y/x = tan α
@@ -504,7 +504,7 @@ class Chains:
                 self.link((*worths, *read[0]), "=", read[0], sides[0], label)
             return
         evaluates = evaluates and not (
-            _is_way(label)
+            _is_direction(label)
             and (self.of_law or self._is_sum_of_letters(first) or self._is_timed(first))
         )
         if label.name == _LAW or (label.name == _LAW_OF_RESTITUTION and letters(first)):

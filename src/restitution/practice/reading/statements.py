@@ -44,7 +44,7 @@ from restitution.problem import Find, Problem, Value
 _CONDITIONS = frozenset(("when", "if", "unless", "whenever"))
 _PARTING = frozenset(("so", "hence", "therefore", "=>", ";", "thus", ",", "and", "or", "stop", "."))
 _ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
-# Words before a way that say of what it is one: ``CLM along the line of centres: 6 - 4 = v + 2``.
+# Words before a direction that say of what: ``CLM along the line of centres: 6 - 4 = v + 2``.
 _NAMES_OF_LAWS = frozenset(
     ("clm", "colm", "pclm", "momentum", "mom", "com", "nel", "nlr", "nell", "nli", "restitution")
 )
@@ -62,15 +62,15 @@ _INFERRING = frozenset(("so", "hence", "therefore", "thus", "giving", "gives", "
 # What may stand behind an angle; 6 along is none.
 _AT_THE_END = re.compile(r"\s*(?:$|[,;.)]|(?:to|with|from|above|below)\b)")
 _GIVING = frozenset(("gives", "giving", "get", "leaves", "leaving", "->", ":"))
-_WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
+_OF_DIRECTIONS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _SIZES = frozenset(("the speed", "the size", "the magnitude"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 _OF_NUMBERS = frozenset(("number", "+", "-", "*", "/", "dot", "times", "^", "(", ")"))
 
 
-def _ends_in_a_way(label: Token) -> bool:
-    """Whether a label ends in a way, which the vector behind it is: ``comps along 2i - j``."""
-    return label.kind == "phrase" and label.name.split()[-1] in _WAYS
+def _ends_in_a_direction(label: Token) -> bool:
+    """Whether a label ends in a direction, which a vector behind it is: ``comps along 2i - j``."""
+    return label.kind == "phrase" and label.name.split()[-1] in _OF_DIRECTIONS
 
 
 def _is_of_parts(label: Token) -> bool:
@@ -78,11 +78,15 @@ def _is_of_parts(label: Token) -> bool:
     return {HEADS[word] for word in label.name.split() if word in HEADS} == {"component"}
 
 
-def _is_way(label: Sequence[str]) -> bool:
-    """Whether the words of a label name a way and perhaps a moment: ``perp``, ``along before``."""
+def _names_a_direction(label: Sequence[str]) -> bool:
+    """Whether a label names a direction and perhaps a moment: ``perp``, ``along before``."""
     words = set(label) - {"the", "of"}
-    ways = {word for word, head in HEADS.items() if head == "component"} | STAGES.keys() | _WAYS
-    return bool(words & _WAYS) and words <= ways
+    known = (
+        {word for word, head in HEADS.items() if head == "component"}
+        | STAGES.keys()
+        | _OF_DIRECTIONS
+    )
+    return bool(words & _OF_DIRECTIONS) and words <= known
 
 
 def _is_power_of_phrase(segment: Segment) -> bool:
@@ -199,7 +203,7 @@ class _Reader(Chains):
         if segment.is_phrase and self._is_label(segment, following):
             if "only" in following[0].before and not has_head(segment.tokens[0]):
                 return  # along only: ½(2)(16 - 4) = 12
-            self.label, self.before = self._of_its_way(segment.tokens[0]), ()
+            self.label, self.before = self._of_its_direction(segment.tokens[0]), ()
             self.of_law = bool(words & _NAMES_OF_LAWS)
             return
         if _is_power_of_phrase(segment) and self._is_label(segment, following):
@@ -213,11 +217,12 @@ class _Reader(Chains):
         label = self._label(segment)
         if label is not None:
             self.label, segment = label, replace(segment, tokens=segment.tokens[1:])
-        if self.way is not None and [x.kind for x in segment.tokens[:2]] == ["name", "relation"]:
-            own = replace(self._of_its_way(segment.tokens[0]), kind="phrase")
+        named = [x.kind for x in segment.tokens[:2]] == ["name", "relation"]
+        if self.direction is not None and named:
+            own = replace(self._of_its_direction(segment.tokens[0]), kind="phrase")
             self.label, segment = None, replace(segment, tokens=(own, *segment.tokens[1:]))
-        if self._is_of_a_body(segment) and self.way is not None and not segment.has_relation:
-            self.label = self._of_its_way(segment.tokens[0])
+        if self._is_of_a_body(segment) and self.direction is not None and not segment.has_relation:
+            self.label = self._of_its_direction(segment.tokens[0])
             segment = replace(segment, tokens=segment.tokens[1:])
         if self._is_of_a_body(segment):
             segment = replace(segment, tokens=segment.tokens[1:])
@@ -332,14 +337,14 @@ class _Reader(Chains):
         begins = begins and not between & _ENDING
         return begins or named or between <= {"by", "of", "as", "to", "about", "only"}
 
-    def _of_its_way(self, label: Token) -> Token:
-        """A label; of a body behind a way, ``perp: A: 3, B: -2``, that of its component."""
+    def _of_its_direction(self, label: Token) -> Token:
+        """A label; of a body behind a direction, ``perp: A: 3, B: -2``, that of its component."""
         if label.kind == "phrase":
             own = [word for word in label.name.split() if word not in self.usage.spheres]
-            self.way = replace(label, name=" ".join(own)) if _is_way(own) else None
-        if self.way is None or label.name not in self.usage.spheres:
+            self.direction = replace(label, name=" ".join(own)) if _names_a_direction(own) else None
+        if self.direction is None or label.name not in self.usage.spheres:
             return label
-        return replace(self.way, name=f"{self.way.name} of {label.name}")
+        return replace(self.direction, name=f"{self.direction.name} of {label.name}")
 
     def _label(self, segment: Segment) -> Token | None:
         """A phrase with mathematics directly behind it."""
@@ -369,7 +374,7 @@ class _Reader(Chains):
     def value(self, segment: Segment) -> None:
         """A segment without a relation: a further value, the value of a label, or a remark."""
         tokens = segment.tokens
-        if self.pending(segment) or self._names_its_way(segment):
+        if self.pending(segment) or self._names_its_direction(segment):
             return
         if tokens[0].name in self.usage.spheres and self.velocities(tokens):
             return
@@ -394,7 +399,7 @@ class _Reader(Chains):
         if self.label is not None:
             label, self.label = self.label, None
             vector = is_vector(sides[0].tree, self.usage.vectors)
-            if vector and (not has_head(label) or _ends_in_a_way(label)):
+            if vector and (not has_head(label) or _ends_in_a_direction(label)):
                 self.statements.values += (sides[0].tree,)
                 self.pointing(label, sides, tokens)
             elif not isinstance(sides[0].tree, Name):
@@ -531,12 +536,12 @@ class _Reader(Chains):
             for item in (step.items if isinstance(step, Find) else ())
         )
 
-    def _names_its_way(self, segment: Segment) -> bool:
+    def _names_its_direction(self, segment: Segment) -> bool:
         """Whether a vector alone says which way a label goes: ``A along n: (20 + 30)/5``."""
         label, tokens = self.label, segment.tokens
         vector = tokens[0].kind == "unit" or tokens[0].name in self.usage.vectors
         alone = len(tokens) == 1 and vector and not segment.before
-        return alone and label is not None and _ends_in_a_way(label)
+        return alone and label is not None and _ends_in_a_direction(label)
 
     def velocities(self, tokens: Sequence[Token]) -> bool:
         """Velocities with the bodies before them: ``A 3i + 5j  B 2i - j``."""
