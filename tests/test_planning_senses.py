@@ -63,7 +63,7 @@ Q hits W: e = 1/2
 given velocity(Q) perpendicular to i
 find tan(phi)
 """,
-        ("V cos φ = ½ × 3w sin φ", "tan φ = 2/tan φ", "as φ is acute"),
+        ("V cos φ = ½ × 3w sin φ", "tan φ = 2/tan φ", "as φ is taken to be acute"),
         ("away from W",),
     ),
     "a wall of which the side is open": (

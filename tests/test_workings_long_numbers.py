@@ -57,7 +57,7 @@ def test_the_direction_from_a_wall_at_an_angle_is_by_the_wall_for_a_path_along_a
         "wall W: along 23°\nsphere P: mass 0.4, velocity 6.5i\nP hits W: e = 0.3\n"
         "find speed(P), direction(P)"
     )
-    assert "tan β = (1.95 sin 23°)/(6.5 cos 23°) = 0.3 tan 23° β ≈ 7.257°" in text
+    assert "tan β = (1.95 sin 23°)/(6.5 cos 23°) = 0.3 tan 23° M1 β ≈ 7.257°" in text
     assert "angle from 𝐢 to 𝐯_P ≈ 23° + 7.257°" in text
 
 

@@ -298,7 +298,7 @@ def test_figures_that_would_be_rounded_otherwise_are_one_more() -> None:
         A hits B: along i, e = 0.95
         find speed(B), impulse
         """,
-        ["w = 3.9 cos 35° ≈ 3.1947 m s⁻¹", "speed of B = 3.9 cos 35° ≈ 3.1947 ≈ 3.19 m s⁻¹"],
+        ["w = 3.9 cos 35° ≈ 3.1947 m s⁻¹", "speed of B = 3.9 cos 35° ≈ 3.19 m s⁻¹"],
     )
 
 

@@ -104,7 +104,7 @@ find velocity(P, 0)
         + "part a\nshow tan(direction(A)) = 2 tan(alpha)/(1 - e)\n"
         + "part b\ngiven e = 1/2, tan(alpha) = 1/2\nfind direction(A)",
         [
-            "= 2 tan α/(1 − e), and θ = 90° if e = 1",
+            "= 2 tan α/(1 − e)   (as required), and θ = 90° if e = 1   (4)",
             "Since e = ½ and tan α = ½, from (4):",
             "tan θ = 2",
             "θ = arctan 2",
@@ -517,8 +517,8 @@ find range of e
 """,
         [
             "(b)",
-            "A is behind B, so they collide again if the component of A is greater than that of B.",
-            "(2 − 3e)u/5 > −(1 + e)u/5 in any case, as e ≤ 1.",
+            "In the direction of 𝐢, A is behind B, so they collide again if the component of\n",
+            "A is greater than that of B. (2 − 3e)u/5 > −(1 + e)u/5 in any case, as e ≤ 1.",
             "⅔ < e ≤ 1",
         ],
     ),

@@ -424,11 +424,12 @@ class Chains(ChainsInFigures):
                     continue  # one component alone would be rounded
                 vector = sign == "=" and is_vector(left)
                 if side != sides[-1] and (vector or not (sign == "=" and has_decimals(sides[-1]))):
-                    if sign == "≈" and self._goes_into_numbers(line, right):
+                    if sign == "≈" and self._figures.with_calculator and of_plain_angles(right):
                         four = to_figures(right, self._figures.count(right))
-                        if not is_rounded_to(four, side):
+                        if not is_rounded_to(four, side):  # where the value stands above, too
                             four = to_figures(right, self._figures.one_more(right))
-                        if four is not None and four not in (side, sides[-1]):
+                        goes_on = self._goes_into_numbers(line, right)
+                        if goes_on and four is not None and four not in (side, sides[-1]):
                             sides.append(four)
                             signs.append(sign)
                     if vector and not self._decimals.keeps_fractions(right):
