@@ -352,6 +352,9 @@ def premises_of(
     """
     sure = tuple(sure)
     premises = scene.judge.needed(turn.move, pool, relation, sure)
+    if premises is not None and not set(premises).isdisjoint(meeting(scene)):
+        # Beside a root in a component that is left out it was needed; by itself it may not be.
+        premises = scene.judge.needed(turn.move, premises, relation, sure)
     cited = {ref for line in scene.desk.lines for ref in line.premises}
     idle = {
         ref
