@@ -453,10 +453,21 @@ def is_vector(tree: Expression) -> bool:
 
 
 def terms_of(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum, or of a difference, without their signs."""
+    """The terms of a sum, or of a difference; a minus before the first of them stays with it."""
     if is_binary(tree, "+", "-"):
         yield from terms_of(tree.left)
         yield from terms_of(tree.right)
+    else:
+        yield tree
+
+
+def unsigned_terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum, or of a difference, without any sign."""
+    if isinstance(tree, Negate):
+        yield from unsigned_terms(tree.operand)
+    elif is_binary(tree, "+", "-"):
+        yield from unsigned_terms(tree.left)
+        yield from unsigned_terms(tree.right)
     else:
         yield tree
 

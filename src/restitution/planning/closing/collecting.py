@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     is_zero,
     letters,
     unsigned,
+    unsigned_terms,
     walk,
 )
 from restitution.expression.writing import write_expression
@@ -606,14 +607,7 @@ def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:
 
 
 def _terms(tree: Expression) -> Iterator[Expression]:
-    match tree:
-        case Negate(operand):
-            yield from _terms(operand)
-        case Binary("+" | "-", left, right):
-            yield from _terms(left)
-            yield from _terms(right)
-        case _ if not is_zero(tree):
-            yield tree
+    return (term for term in unsigned_terms(tree) if not is_zero(term))
 
 
 def _has(tree: Expression, name: str) -> bool:

@@ -12,12 +12,12 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
-    Negate,
     Number,
     Quantity,
     is_binary,
     is_quantity,
     letters,
+    unsigned_terms,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -89,20 +89,10 @@ def is_halved(entry: Entry, world: World) -> bool:
     if any(sphere.mass in _HALVES for sphere in world.problem.spheres):
         return False
     sides = entry.claim.left, entry.claim.right
-    terms = [term for side in sides for term in _terms(side) if not isinstance(term, Number)]
+    terms = [
+        term for side in sides for term in unsigned_terms(side) if not isinstance(term, Number)
+    ]
     return bool(terms) and all(map(has_half, terms))
-
-
-def _terms(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum."""
-    match tree:
-        case Binary("+" | "-", left, right):
-            yield from _terms(left)
-            yield from _terms(right)
-        case Negate(operand):
-            yield from _terms(operand)
-        case _:
-            yield tree
 
 
 def has_half(tree: Expression) -> bool:

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     is_binary,
     letters,
     line_and_column,
+    terms_of,
     walk,
 )
 from restitution.practice.reading.tokens import Usage
@@ -98,20 +99,11 @@ def _names(scope: Scope, problem: Problem) -> Iterator[Letter]:
 
 def _is_energy(tree: Expression) -> bool:
     """Whether every term is half a product, one of two factors at least: a mass may be 1."""
-    factors = [list(_factors(term)) for term in _terms(tree)]
+    factors = [list(_factors(term)) for term in terms_of(tree)]
     squares = [sum(is_binary(factor, "^") for factor in term) for term in factors]
     halved = all(term.count(Number(_HALF)) == 1 and len(term) > 1 for term in factors)
     whole = (len(term) + more > 2 for term, more in zip(factors, squares, strict=True))
     return halved and any(whole)
-
-
-def _terms(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum."""
-    if is_binary(tree, "+", "-"):
-        yield from _terms(tree.left)
-        yield from _terms(tree.right)
-    else:
-        yield tree
 
 
 def _factors(tree: Expression) -> Iterator[Expression]:

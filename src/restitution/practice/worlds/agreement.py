@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_binary,
+    unsigned_terms,
     walk,
 )
 from restitution.practice.judgement import Accuracy
@@ -149,7 +150,7 @@ def scale(
     """
     total = np.zeros((world.samples, 1))
     for tree in (claim.left, claim.right):
-        for term in _terms(tree):
+        for term in unsigned_terms(tree):
             value = world.value(term, meanings, scope)
             if isinstance(value, Vector):
                 value = np.hypot(value.x, value.y)
@@ -313,7 +314,7 @@ def _is_half(node: Number | Degrees, claim: Claim, given: Collection[Fraction]) 
 def _whole_degrees(claim: Claim, angular: bool) -> Iterator[Number | Degrees]:
     """The angles typed to the nearest degree: with a degree sign, or as terms of a side."""
     for side in (claim.left, claim.right):
-        terms = tuple(_terms(side)) if angular and is_bare(side) else ()
+        terms = tuple(unsigned_terms(side)) if angular and is_bare(side) else ()
         for node in _numbers((side,)):
             if node.value.denominator == 1 and (isinstance(node, Degrees) or node in terms):
                 yield node
@@ -417,17 +418,6 @@ def as_vector(value: Value) -> Vector:
 
 def _columns(world: World, *values: Array) -> Array:
     return np.stack([world.spread(value) for value in values], axis=1)
-
-
-def _terms(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum."""
-    if isinstance(tree, Negate):
-        yield from _terms(tree.operand)
-    elif is_binary(tree, "+", "-"):
-        yield from _terms(tree.left)
-        yield from _terms(tree.right)
-    else:
-        yield tree
 
 
 def _magnitude(world: World) -> float:
