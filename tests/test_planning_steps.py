@@ -849,3 +849,52 @@ def test_squares_of_ratios_serve_each_of_two_solutions() -> None:
     # Of a loss of energy the square of the cosine is enough.
     _, loss = planned(target + given.format(3, "2/5", "energy_lost"))
     assert "sin^2(alpha)" not in "\n".join(said(loss))
+
+
+def test_a_line_of_centres_along_a_velocity_of_the_data_has_its_direction() -> None:
+    text = """
+sphere P: mass m, velocity 2u i - u j
+sphere Q: mass 3m, at rest
+P hits Q: along velocity(P), e = 1/3
+find velocity(P), velocity(Q)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "the unit vector along the line of centres" in working
+    assert "𝐧 = (2𝐢 − 𝐣)/√5" in working
+    assert "√5 mu = mv + 3mw" in working
+    assert "𝐯_Q = (√5 u/3)((2𝐢 − 𝐣)/√5)" in working
+    assert "= (2u/3)𝐢 − (u/3)𝐣" in working
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["along velocity(P), e = 1/3", "e = 1/3\ngiven velocity(P, 0) parallel to line_of_centres"],
+)
+def test_spheres_that_meet_along_a_path_at_an_angle_have_their_speeds_along_it(line: str) -> None:
+    text = f"""
+sphere P: mass m, velocity u at theta
+sphere Q: mass 3m, at rest
+P hits Q: {line}
+find speed(Q)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "mu = mv + 3mw" in working
+    assert "w − v = ⅓u" in working
+    assert "speed of Q = u/3" in working
+    assert "not written out" not in working
+
+
+def test_a_line_of_centres_along_a_velocity_of_letters_of_either_sign_is_worked_out() -> None:
+    text = """
+wall W: along j
+sphere P: mass m, velocity 2u i + 3u j
+sphere Q: mass 2m, at rest
+P hits W: e = 1/2
+P hits Q: along velocity(P), e = 1/2
+find velocity(Q)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "the line of centres is parallel to −𝐢 + 3𝐣" in working
+    assert "√10 mu = mv + 2mw" in working
+    assert "𝐯_Q = (√10 u/2)((−𝐢 + 3𝐣)/√10)" in working
+    assert "= −(u/2)𝐢 + (3u/2)𝐣" in working

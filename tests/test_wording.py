@@ -304,3 +304,8 @@ def test_a_fact_stands_in_the_opening_where_what_is_asked_may_hang_on_it(steps):
 def test_a_name_stands_below_the_one_by_which_it_is_made():
     asked = in_one_line(SPHERES + "let delta = beta - alpha\nfind tan(delta)")
     assert asked.index("Let β") < asked.index("Let δ")
+
+
+def test_a_line_of_centres_along_a_path_is_said_by_who_moves_along_it():
+    asked = in_one_line(SPHERES.replace("along i", "along velocity(A)") + "find speed(A)")
+    assert "when A is moving along the line joining their centres" in asked

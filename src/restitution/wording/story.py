@@ -6,7 +6,16 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from restitution.expression.dimensions import IMPULSE
-from restitution.expression.tree import Expression, Letter, Negate, Number, Polar, is_rest
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Polar,
+    Quantity,
+    is_rest,
+)
 from restitution.problem import Arrival, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.wording import values
@@ -51,10 +60,7 @@ def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sen
     else:
         line: Words = ()
         if event.along is not None and not _common_line(scene):
-            line = words(
-                " when the line joining their centres is ",
-                values.lies_along(scene.style, event.along),
-            )
+            line = _line_of_centres(scene, number, event.along)
         yield sentence(first, f"{then} collides with ", second, tail, line)
         if event.along is not None and _common_line(scene) and number == _collisions(scene)[0]:
             yield sentence(
@@ -64,6 +70,18 @@ def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sen
         if event.offset is not None:
             yield _offset(scene, event, event.offset)
     yield from _restitution(scene, number, event)
+
+
+def _line_of_centres(scene: Scene, number: int, along: Expression) -> Words:
+    """Along what the line of centres of a collision is: a direction, or the path of one sphere."""
+    match along:
+        case Quantity("velocity", (Name(body),), None | int() as stage):
+            events = scene.events[(number if stage is None else stage + 1) - 1 : number]
+            if not any(body in bodies_of(event) for event in events[:-1]):
+                return words(
+                    " when ", Emphasis(body), " is moving along the line joining their centres"
+                )
+    return words(" when the line joining their centres is ", values.lies_along(scene.style, along))
 
 
 def _collisions(scene: Scene) -> list[int]:

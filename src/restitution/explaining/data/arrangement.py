@@ -177,6 +177,16 @@ class Arrangement:
         value = None if place is None else world.value(place)
         return value if isinstance(value, Plane) else None
 
+    def axis_of(self, velocity: object) -> Expression | None:
+        """**i** or **j**, or the opposite, where a velocity of the data is in that direction."""
+        world = self.world()
+        value = world.value(velocity) if isinstance(velocity, Expression) else None
+        if not isinstance(value, Plane) or value.x.vanishes == value.y.vanishes:
+            return None
+        axis = Unit("i" if value.y.vanishes else "j")
+        side = self.sign_in(world, value.x if value.y.vanishes else value.y)
+        return None if side is None else axis if side > 0 else Negate(axis)
+
     # --- circular walls ---------------------------------------------------------------------------
 
     def from_centre(self, body: str, wall: Wall, number: int) -> Expression | None:

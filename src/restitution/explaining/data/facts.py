@@ -571,16 +571,8 @@ class FactsOf(Arrangement):
         """**i** or **j**, or the opposite, where a velocity of the data is in that direction."""
         match tree:
             case Quantity("velocity", (Name(body),), 0):
-                velocity = self.sphere(body).velocity
-            case _:
-                return None
-        world = self.world()
-        value = world.value(velocity) if isinstance(velocity, Expression) else None
-        if not isinstance(value, Plane) or value.x.vanishes == value.y.vanishes:
-            return None
-        axis = Unit("i" if value.y.vanishes else "j")
-        side = self.sign_in(world, value.x if value.y.vanishes else value.y)
-        return None if side is None else axis if side > 0 else Negate(axis)
+                return self.axis_of(self.sphere(body).velocity)
+        return None
 
     def _separation(
         self, first: Expression, second: Expression, happens: bool, events: int

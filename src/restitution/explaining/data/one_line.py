@@ -1,12 +1,25 @@
-"""Spheres that lie and move along one axis: their line of centres is that axis at every impact."""
+"""Lines of centres that the data tell: the axis on which all lie, and the direction of a path."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from restitution.explaining.data.arrangement import Arrangement, difference, world_of
+from restitution.explaining.data.paths_and_lines import turn_of_vector
 from restitution.explaining.lines.quotients import NotComparableError, Plane
-from restitution.expression.tree import Expression, Negate, Pair, Quantity, Unit, is_rest, is_zero
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    is_rest,
+    is_zero,
+)
 from restitution.problem import Arrival, Impact, Kick, Problem, Sphere, Step
 
 
@@ -83,30 +96,76 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
 
 
 def with_lines_of_centres(given: Arrangement) -> Problem:
-    """The problem in which spheres that lie on one axis have it as their line of centres.
+    """The problem in which each line of centres that the data tell has its own direction.
 
-    It is that only where none is given, and it leads from the first to the second: they stay in
-    their order.
+    Spheres that lie on one axis have that where none is given, and it leads from the first to the
+    second: they stay in their order. One along a velocity of the data has its direction.
     """
     problem = given.problem
     steps = [step for step in problem.events if isinstance(step, Impact)]
     open_ = [step for step in steps if step.along is None and step.second not in given.walls]
     axis = axis_of_all(given) if open_ else None
-    if axis is None:
-        return problem
 
-    def with_its_line(step: Step) -> Step:
-        if step not in open_ or not isinstance(step, Impact):
+    def with_its_line(step: Step, number: int) -> Step:
+        if not isinstance(step, Impact):
             return step
-        side = side_along(given, step, axis)
-        if side is None:
+        if isinstance(step.along, Quantity):
+            return replace(step, along=_settled(given, step.along, number))
+        side = side_along(given, step, axis) if step in open_ and axis is not None else None
+        if side is None or axis is None:
             return step
         return replace(step, along=axis if side > 0 else Negate(axis))
 
-    parts = tuple(
-        replace(part, steps=tuple(map(with_its_line, part.steps))) for part in problem.parts
-    )
-    return replace(problem, parts=parts)
+    number, parts = 0, []
+    for part in problem.parts:
+        told: list[Step] = []
+        for step in part.steps:
+            number += isinstance(step, Impact | Kick | Arrival)
+            told.append(with_its_line(step, number))
+        parts.append(replace(part, steps=tuple(told)))
+    return replace(problem, parts=tuple(parts))
+
+
+def _settled(given: Arrangement, line: Quantity, number: int) -> Expression:
+    """The direction of a line of centres along a velocity before an event.
+
+    That of a velocity of the data is told by these: by its angle, or as a vector of whole numbers.
+    """
+    match line:
+        case Quantity("velocity", (Name(body),), None | int() as stage):
+            stage = given.latest([body], number - 1 if stage is None else stage)
+        case _:
+            return line
+    own = given.sphere(body).velocity
+    if stage or not isinstance(own, Expression):
+        return replace(line, stage=stage)
+    axis = given.axis_of(own)
+    turn = turn_of_vector(own) if axis is None else axis
+    return turn or _whole_vector(given, own) or own
+
+
+def _whole_vector(given: Arrangement, velocity: Expression) -> Expression | None:
+    """The vector of whole numbers of which a velocity is a multiple; None where there is none."""
+    try:
+        value = world_of(given.problem).value(velocity)
+    except NotComparableError:
+        return None
+    if not isinstance(value, Plane) or value.x.vanishes or value.y.vanishes:
+        return None
+    ratio = value.x / value.y
+    if not (ratio.above.is_ground and ratio.below.is_ground):
+        return None
+    number = ratio.above.LC / ratio.below.LC
+    side = -1 if value.y.above.LC / value.y.below.LC < 0 else 1
+    x, y = side * int(number.numerator), int(number.denominator)
+    return Binary("+" if side > 0 else "-", _multiple(x, Unit("i")), _multiple(y, Unit("j")))
+
+
+def _multiple(number: int, unit: Unit) -> Expression:
+    """A whole number times a unit vector, as people type it."""
+    if number < 0:
+        return Negate(_multiple(-number, unit))
+    return unit if number == 1 else Binary("*", Number(Fraction(number)), unit)
 
 
 __all__ = ["axis_of_all", "with_lines_of_centres"]

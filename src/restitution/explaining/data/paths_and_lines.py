@@ -95,7 +95,9 @@ def angle_between(path: Expression, line: Expression) -> Expression | None:
 
 def angles_between(path: Expression, line: Expression) -> Iterator[Expression]:
     """What the angle of a path with a line may be, where one of both is a letter."""
-    if letters(path) or letters(line):
+    if path == line:
+        yield Degrees(Fraction(0))
+    elif letters(path) or letters(line):
         yield from _differences(path, line)
 
 

@@ -1,8 +1,8 @@
 """Directions that facts give to walls and lines of centres, as data of these.
 
 ``given W parallel to 3i + 4j`` says of a wall what ``wall W: along 3i + 4j`` says, and so for a
-line of centres, also where places would tell another. Only directions in numbers are taken so:
-where letters are sought by a direction, it stays a fact.
+line of centres, also where places would tell another. Only directions in numbers are taken so, and
+velocities before the impact: where letters are sought by a direction, it stays a fact.
 """
 
 from __future__ import annotations
@@ -128,9 +128,24 @@ def _given_line(
     if not isinstance(event, Impact) or event.along is not None or event.offset is not None:
         return None
     spheres = {sphere.name for sphere in problem.spheres}
-    if not {event.first, event.second} <= spheres or not _is_in_numbers(right):
+    if not {event.first, event.second} <= spheres:
         return None
-    return event, _without_size(right)
+    if _is_in_numbers(right):
+        return event, _without_size(right)
+    parallel = isinstance(relation, Aligned) and relation.relation == "parallel to"
+    return (event, right) if parallel and _is_met_with(problem, right, number) else None
+
+
+def _is_met_with(problem: Problem, tree: Expression, number: int) -> bool:
+    """Whether a tree is a velocity before an impact by which no letter of the data is sought."""
+    match tree:
+        case Quantity("velocity", (Name(body),), int(stage)) if stage < number:
+            pass
+        case _:
+            return False
+    sought = {letter.name for letter in problem.letters_asked()}
+    given = next((sphere.velocity for sphere in problem.spheres if sphere.name == body), None)
+    return isinstance(given, Expression) and not sought & letters(given)
 
 
 def _is_open(wall: Wall) -> bool:
