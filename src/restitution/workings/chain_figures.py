@@ -32,15 +32,15 @@ from restitution.workings.chain_sides import (
 from restitution.workings.fuller_figures import goes_into_numbers
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figure_multiples import beside_figures
-from restitution.workings.naming.figures import (
-    Figures,
-    has_plain_angles,
-    is_with_calculator,
-    of_plain_angles,
-)
+from restitution.workings.naming.figures import Figures
 from restitution.workings.naming.long_numbers import has_long_numbers, keeps_short_sums
 from restitution.workings.naming.measured import (
     Measures,
+)
+from restitution.workings.naming.plain_angles import (
+    has_plain_angles,
+    is_with_calculator,
+    of_plain_angles,
 )
 from restitution.workings.naming.printed_decimals import PrintedDecimals
 from restitution.workings.naming.quantities import Naming

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
-from restitution.workings.naming.figures import has_plain_angles, of_plain_angles
+from restitution.workings.naming.plain_angles import has_plain_angles, of_plain_angles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.row_sides import turned_side
 from restitution.workings.naming.sources import is_displacement, is_time

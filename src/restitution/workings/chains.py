@@ -46,11 +46,6 @@ from restitution.workings.chain_sides import (
 from restitution.workings.fuller_figures import one_figure_more
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
-from restitution.workings.naming.figures import (
-    has_plain_angles,
-    of_plain_angles,
-    plain_angles,
-)
 from restitution.workings.naming.measured import (
     as_answer,
     as_decimal,
@@ -64,6 +59,7 @@ from restitution.workings.naming.measured import (
     to_three_figures,
     with_unit,
 )
+from restitution.workings.naming.plain_angles import has_plain_angles, of_plain_angles, plain_angles
 from restitution.workings.naming.roots_of_roots import has_long_root
 from restitution.workings.naming.row_sides import (
     has_decimals,

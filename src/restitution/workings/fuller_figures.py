@@ -14,8 +14,9 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
-from restitution.workings.naming.figures import Figures, has_plain_angles
+from restitution.workings.naming.figures import Figures
 from restitution.workings.naming.measured import multiple_in_figures, worth
+from restitution.workings.naming.plain_angles import has_plain_angles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sums_in_degrees import degrees_of, is_inverse
 

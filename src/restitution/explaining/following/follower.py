@@ -13,8 +13,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Literal
 
-from restitution.explaining.data.setting import Cited
 from restitution.explaining.data.unused import lines_under, unused_facts
+from restitution.explaining.following.axes import Axes
 from restitution.explaining.following.meanings import means_something
 from restitution.explaining.following.settled import settled_derivation
 from restitution.explaining.following.trials import Trial, known_of_letters, names_in, setting_of
@@ -32,24 +32,16 @@ from restitution.explaining.lines.derivation import (
     equality,
     scopes_of,
 )
-from restitution.explaining.lines.quotients import NotComparableError, Plane
-from restitution.explaining.lines.trees import statement_of, trees_of
+from restitution.explaining.lines.quotients import NotComparableError
+from restitution.explaining.lines.trees import statement_of
 from restitution.explaining.steps.excluding import excludes, holds_anyway
-from restitution.explaining.steps.signs import Signs
-from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
-    Name,
-    Negate,
     Number,
-    Quantity,
-    is_component,
-    is_quantity,
     is_zero,
     letters,
-    walk,
 )
 from restitution.oracle import Oracle
 from restitution.records import dataclass
@@ -122,6 +114,7 @@ class Reader:
         self.facts = {fact.id: fact for fact in derivation.facts}
         self.parts = derivation.asked
         self.setting = setting_of(derivation, oracle)
+        self._axes = Axes(derivation, self.setting)
         self._scopes: dict[Ref, frozenset[str | None] | None] = {}
         self._given_in = scopes_of(derivation.facts)
         self._home_parts: dict[Ref, frozenset[str | None]] = {}
@@ -132,7 +125,8 @@ class Reader:
         if numbers:
             return  # what a premise refers to is open
         yield from self._letters()
-        yield from self._axes()
+        for ref in self._axes.turned_in_laws():
+            yield Complaint("axis-turned", ref if isinstance(ref, int) else None, ref)
         for position, line in enumerate(self.derivation.lines):
             above = self.derivation.lines[:position]
             bad = list(self._premises(line, {line.number for line in above}))
@@ -219,78 +213,6 @@ class Reader:
                 missing = names_in(line.relation) - known - introduced
             for name in sorted(missing):
                 yield Complaint("letter-not-introduced", line.number, name)
-
-    # --- axes -----------------------------------------------------------------------------------
-
-    def _axes(self) -> Iterator[Complaint]:
-        """Lines of centres that are used once in one sense and once in the other."""
-        axes: dict[int, list[tuple[Ref, Expression]]] = {}
-        used = {
-            ref
-            for line in self.derivation.lines
-            if line.move.id in ("law", "define") and line.move.record != "size"
-            if not (isinstance(line.relation, Relation) and _tells_an_axis(line.relation))
-            for ref in line.premises
-        }
-        for number, relation in self._relations():
-            if number not in used:
-                continue
-            for link in relation.options[0] if len(relation.options) == 1 else ():
-                for left, right in ((link.left, link.right), (link.right, link.left)):
-                    match left:
-                        case Quantity("line_of_centres", (), int(event)):
-                            axes.setdefault(event, []).append((number, right))
-                        case Quantity("impulse", (Name(body),), int(event)) if link.sign == "=":
-                            own = self.setting.event(event)
-                            if own is not None:
-                                sense = Negate(left) if body == own.bodies[0] else left
-                                axes.setdefault(event, []).append((number, sense))
-        for trees in axes.values():
-            for axis in self._by_cases(trees):
-                if len(axis) > 1:
-                    yield from self._turned(axis)
-
-    def _by_cases(
-        self, trees: Sequence[tuple[Ref, Expression]]
-    ) -> Iterator[list[tuple[Ref, Expression]]]:
-        """What stands above all cases with what stands in one: a line may be another in each."""
-        numbers = {ref: self._cases_of(ref) for ref, _ in trees}
-        for case in sorted(frozenset().union(*numbers.values())) or (0,):
-            yield [tree for tree in trees if not numbers[tree[0]] or case in numbers[tree[0]]]
-
-    def _cases_of(self, ref: Ref) -> frozenset[int]:
-        """The cases in which a line stands; none of one above all, or of a fact."""
-        return frozenset(case.number for case in self.derivation.cases if ref in case.lines)
-
-    def _relations(self) -> Iterator[tuple[Ref, Relation]]:
-        for fact in self.derivation.facts:
-            yield fact.id, fact.relation
-        for line in self.derivation.lines:
-            if isinstance(line.relation, Relation):
-                yield line.number, line.relation
-            elif line.relation.vector:
-                letter = Letter(line.relation.letter)
-                yield line.number, equality(line.relation.quantity, letter)
-
-    def _turned(self, trees: Iterable[tuple[Ref, Expression]]) -> Iterator[Complaint]:
-        cited = [
-            *(Cited(fact.id, fact.relation) for fact in self.derivation.facts),
-            *(Cited(line.number, line.relation) for line in self.derivation.lines),
-        ]
-        step = Step(self.setting, _NO_MOVE, tuple(cited), ())
-        signs = Signs(step.world, lambda: Oracle(self.setting.silent))
-        first: Plane | None = None
-        for number, tree in trees:
-            try:
-                own = step.rules().put_into(step.world.value(tree))
-            except NotComparableError:
-                continue
-            if not isinstance(own, Plane):
-                continue
-            if first is None:
-                first = own
-            elif signs.of(step.world.reduced(first.x * own.x + first.y * own.y)) == -1:
-                yield Complaint("axis-turned", number if isinstance(number, int) else None, number)
 
     # --- one line -------------------------------------------------------------------------------
 
@@ -532,67 +454,12 @@ class Reader:
             if line.number not in on_the_way:
                 yield Complaint("leads-nowhere", line.number)
         yield from self._facts_used()
-        yield from self._axes_turned()
+        for number, ref in self._axes.turned_in_components():
+            yield Complaint("axis-turned", number, ref)
 
     def _under(self, number: Ref) -> set[Ref]:
         """A line, or a fact, and all that it rests on."""
         return lines_under(self.derivation, number)
-
-    def _axes_turned(self) -> Iterator[Complaint]:
-        """An event has one axis with one sense: components do not count both ways."""
-        senses: dict[Expression, dict[Ref, Expression]] = {}
-        for line in self.derivation.lines:
-            if isinstance(line.relation, Meaning):
-                continue
-            cited = [
-                self.lines[n].relation
-                for n in line.premises
-                if isinstance(n, int) and n in self.lines
-            ]
-            named = [relation.quantity for relation in cited if isinstance(relation, Meaning)]
-            used = {
-                node.arguments[1]
-                for tree in (*trees_of(line.relation), *named)
-                for node in walk(tree)
-                if is_component(node)
-            }
-            for ref in line.premises:
-                for axis, direction in self._axes_of(ref):
-                    known = senses.setdefault(axis, {})
-                    if axis not in used or ref in known:
-                        continue
-                    if any(
-                        not self._are_apart(ref, other) and not self._same_sense(direction, tree)
-                        for other, tree in known.items()
-                    ):
-                        yield Complaint("axis-turned", line.number, ref)
-                    known[ref] = direction
-
-    def _are_apart(self, one: Ref, other: Ref) -> bool:
-        """Whether two premises stand in different cases."""
-        cases = self._cases_of(one), self._cases_of(other)
-        return all(cases) and cases[0].isdisjoint(cases[1])
-
-    def _axes_of(self, ref: Ref) -> Iterator[tuple[Expression, Expression]]:
-        """The lines of centres of which a premise gives the direction."""
-        given = self.lines.get(ref) if isinstance(ref, int) else self.facts.get(ref)
-        if given is None or isinstance(given.relation, Meaning):
-            return
-        for links in given.relation.options:
-            for link in links:
-                if is_quantity(link.left, "line_of_centres"):
-                    yield link.left, link.right
-
-    def _same_sense(self, a: Expression, b: Expression) -> bool:
-        step = Step(self.setting, _NO_MOVE, (), ())
-        try:
-            one, other = step.world.direction(a), step.world.direction(b)
-            if one is None or other is None:
-                return a == b
-            product = step.world.reduced(one.x * other.x + one.y * other.y)
-        except NotComparableError:
-            return a == b
-        return step.signs.of(product) == 1
 
     def _in_force(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
         """Facts of one part hold for no other, by whatever lines they come to it."""
@@ -659,16 +526,6 @@ class Reader:
                 yield Complaint("fact-not-used", None, fact.id)
 
 
-def _tells_an_axis(relation: Relation) -> bool:
-    """Whether a relation is of a line of centres and a direction."""
-    return any(
-        is_quantity(side, "line_of_centres")
-        for links in relation.options
-        for link in links
-        for side in (link.left, link.right)
-    )
-
-
 def _same(line: Relation, answer: Relation) -> bool:
     """Whether a line says an answer: the last link of a chain does, with the first subject."""
     if statement_of(line) == statement_of(answer):
@@ -688,7 +545,6 @@ def _same(line: Relation, answer: Relation) -> bool:
     return statement_of(Relation(((whole,),))) == statement_of(answer)
 
 
-_NO_MOVE = Move("let")
 _TWO = Number(Fraction(2))
 _ORDERED = ("<", "<=", ">", ">=")
 

@@ -36,7 +36,7 @@ from restitution.planning.angles.lines_between import cosine_of
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.unit_vectors import short_direction
 from restitution.vector import Vector
-from restitution.workings.naming.figures import has_plain_angles
+from restitution.workings.naming.plain_angles import has_plain_angles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.grounds import meant_by
 

@@ -8,21 +8,16 @@ calculator: what is only worked out is a number at once. What the lines say stay
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from fractions import Fraction
-from functools import lru_cache, partial
-from typing import NamedTuple
+from collections.abc import Mapping
+from functools import partial
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import FLIPPED, Derivation, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
-    EXACT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Negate,
     Number,
@@ -32,7 +27,6 @@ from restitution.expression.tree import (
     functions_in,
     has_quantity,
     has_root,
-    has_standard_ratios,
     has_unit_vector,
     is_binary,
     is_function,
@@ -55,13 +49,17 @@ from restitution.workings.naming.measured import (
     scalar_worth,
     worth,
 )
+from restitution.workings.naming.plain_angles import (
+    has_ratio_of_a_sum,
+    of_plain_angles,
+    ratios_of_numbers,
+)
 from restitution.workings.naming.roots_of_roots import (
     is_long_number,
-    is_nested_root,
     is_of_nested_roots,
     is_short_sum_of_a_root,
-    is_to_be_worked_out,
 )
+from restitution.workings.naming.sizes import digits_of, size_of, with_sign
 from restitution.workings.naming.sums_in_degrees import (
     FIGURES_BEFORE_A_ROUNDING,
     FIGURES_OF_ANSWERS,
@@ -80,89 +78,6 @@ _SHORT = 10
 _DECIMALS = 1000
 _LONG_PRODUCT = 3  # of so many ratios
 _LONG_SUM = 2
-# Two values of a working that agree in so many figures are one.
-_FIGURES_THAT_TELL, _FIGURES_TOLD = 30, 20
-
-
-def of_plain_angles(tree: Expression) -> bool:
-    """Whether a number has ratios of angles such as 37°, of which only a calculator knows."""
-    return has_plain_angles(tree) and not letters(tree)
-
-
-def has_plain_angles(tree: Expression) -> bool:
-    """Whether ratios of such angles stand in a value."""
-    return bool(_ratios_of_numbers(tree))
-
-
-def is_by_calculator(trees: Iterable[Expression]) -> bool:
-    """Whether a working has ratios of angles such as 37°, and is so one with a calculator."""
-    return any(map(plain_angles, trees))
-
-
-def is_with_calculator(derivation: Derivation) -> bool:
-    """Whether a working is one with a calculator.
-
-    At 15° it is, unless the question itself has roots; and so it is where roots stand below roots
-    or a tangent is a sum of roots, and velocities are numbers.
-    """
-    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
-    trees = [tree for relation in relations for tree in relation.trees if functions_in(tree)]
-    angles = {angle for tree in trees for angle in plain_angles(tree)}
-    if any(angle % EXACT_ANGLE for angle in angles) or any(map(_is_bound_by_a_sum, relations)):
-        return True
-    data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
-    shown = [end.answer for end in derivation.items if end.shown]
-    if any(has_root(tree) for relation in (*data, *shown) for tree in relation.trees):
-        return False
-    velocities = (fact.relation for fact in derivation.facts if fact.id.startswith("velocity"))
-    in_letters = any(letters(tree) for relation in velocities for tree in relation.trees)
-    return bool(angles) or (not in_letters and any(map(_is_of_long_roots, relations)))
-
-
-def _is_of_long_roots(relation: Relation) -> bool:
-    """Whether a relation comes to a root of a sum of roots, or to a tangent that is such a sum."""
-    for option in relation.options:
-        for link in option:
-            if not has_root(link.right):
-                continue
-            tangent = is_function(link.left, "tan")
-            nodes = walk(link.right)
-            if any(is_nested_root(node) and not is_to_be_worked_out(node) for node in nodes):
-                return True
-            if tangent and any(is_of_nested_roots(node, True) for node in nodes):
-                return True
-    return False
-
-
-def _is_bound_by_a_sum(relation: Relation) -> bool:
-    """Whether an inequality has the ratio of a sum of angles in it: tan(70° − arctan(4/3))."""
-    return any(link.sign in FLIPPED for link in relation.options[0]) and any(
-        map(_has_ratio_of_a_sum, relation.trees)
-    )
-
-
-def _has_ratio_of_a_sum(tree: Expression) -> bool:
-    """Whether the ratio of a sum of angles in degrees stands in a value."""
-    return any(is_sum_with_inverse(ratio.argument) for ratio in _ratios_of_numbers(tree))
-
-
-def plain_angles(tree: Expression) -> set[Fraction]:
-    """The numbers of degrees of which ratios, without roots, stand in a value."""
-    return {
-        ratio.argument.value
-        for ratio in _ratios_of_numbers(tree)
-        if isinstance(ratio.argument, Degrees) and not has_standard_ratios(ratio.argument.value)
-    }
-
-
-def _ratios_of_numbers(tree: Expression) -> list[Apply]:
-    if RATIOS.isdisjoint(functions_in(tree)):
-        return []
-    return [
-        node
-        for node in walk(tree)
-        if isinstance(node, Apply) and node.function in RATIOS and not letters(node)
-    ]
 
 
 class Figures:
@@ -195,13 +110,13 @@ class Figures:
 
     def count(self, tree: Expression) -> int:
         """How many figures a value has on the way: four, or what it takes to lead to others."""
-        own = self._finer.get(_digits_of(tree)) if self._finer else None
+        own = self._finer.get(digits_of(tree)) if self._finer else None
         return own or FIGURES_BETWEEN
 
     def one_more(self, tree: Expression) -> int:
         """One figure more than that, which the value is to have from where it stands first."""
         more = self.count(tree) + 1
-        self.wanted[_digits_of(tree)] = more
+        self.wanted[digits_of(tree)] = more
         return more
 
     def _figures_of(self, tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
@@ -233,7 +148,7 @@ class Figures:
 
         None of another value, and of one that is short: ½u cos 20°.
         """
-        ratios, several = len(_ratios_of_numbers(tree)), False
+        ratios, several = len(ratios_of_numbers(tree)), False
         if ratios:
             is_long = any(map(self._is_long, walk(tree)))
             few, many = (1, _LONG_SUM) if self.with_calculator else (_LONG_SUM, _LONG_PRODUCT)
@@ -247,7 +162,7 @@ class Figures:
 
         None of another value, and of one with a single ratio. It stands for the sum from then.
         """
-        several = len({*_ratios_of_numbers(tree)}) >= _LONG_SUM and self.with_calculator
+        several = len({*ratios_of_numbers(tree)}) >= _LONG_SUM and self.with_calculator
         put = sum_in_figures(tree, FIGURES_BETWEEN) if several else None
         if put is not None:
             self.stands_for(tree, put)
@@ -260,7 +175,7 @@ class Figures:
             and (
                 self._is_number_of_several(tree)
                 or self._is_awkward(tree)
-                or _has_ratio_of_a_sum(tree)
+                or has_ratio_of_a_sum(tree)
             )
         )
 
@@ -383,7 +298,7 @@ class Figures:
                 put = swept(rebuilt(swept(put), _sign_outside))
             # Figures that lead to others in the end would make the line false.
             if not _differ(tree, put):
-                self.wanted.update({_digits_of(node): figures for node in more})
+                self.wanted.update({digits_of(node): figures for node in more})
                 return put
             if not nested and not self.with_calculator:
                 return tree
@@ -480,9 +395,9 @@ class Figures:
         return exchanged(tree, {node: put for node, put in parts.items() if put is not None})
 
     def _of_size(self, tree: Expression) -> Expression | None:
-        size = _size(tree) if self._by_size else None
+        size = size_of(tree) if self._by_size else None
         put = None if size is None else self._by_size.get(size.figures)
-        return None if size is None or put is None else _with_sign(put, size.is_positive)
+        return None if size is None or put is None else with_sign(put, size.is_positive)
 
     def _arctangent(self, tree: Expression) -> Expression:
         """An arctangent of the other sign of what is on paper: in 180° − β, with β known."""
@@ -517,7 +432,7 @@ class Figures:
         """Whether a value has several ratios of plain angles, or one beside a sum of roots."""
         if _has_several_ratios(tree) or (self.with_calculator and _is_long(tree)):
             return True
-        one = bool(_ratios_of_numbers(tree)) and not has_quantity(tree)
+        one = bool(ratios_of_numbers(tree)) and not has_quantity(tree)
         return one and self.with_calculator and self.has_sums_of_roots(tree)
 
     def vector(self, tree: Expression) -> Expression:
@@ -625,43 +540,13 @@ def _is_multiple_of_a_ratio(tree: Expression) -> bool:
 
 
 def _has_several_ratios(tree: Expression) -> bool:
-    return len(_ratios_of_numbers(tree)) >= _LONG_SUM and not has_quantity(tree)
-
-
-class _Size(NamedTuple):
-    """A value without its sign: many figures, with its letters."""
-
-    is_positive: bool
-    figures: str
-
-
-@lru_cache(maxsize=4096)
-def _size(tree: Expression) -> _Size | None:
-    """The size of a value of plain angles; None of another.
-
-    It tells which value of a working is meant, and decides nothing.
-    """
-    if not has_plain_angles(tree) or has_quantity(tree):
-        return None
-    if letters(tree):
-        number, rest = number_and_letters(tree) or (None, sp.S.One)
-    else:
-        number, rest = scalar_worth(tree), sp.S.One
-    size = None if number is None else number.evalf(_FIGURES_THAT_TELL)
-    if not isinstance(size, sp.Float):
-        return None
-    return _Size(bool(size > 0), f"{sp.Float(abs(size), _FIGURES_TOLD)} {rest}")
+    return len(ratios_of_numbers(tree)) >= _LONG_SUM and not has_quantity(tree)
 
 
 def _by_its_size(tree: Expression, put: Expression) -> dict[str, Expression]:
     """What stands on paper for a value of that size, where it has one."""
-    size = _size(tree)
-    return {} if size is None else {size.figures: _with_sign(put, size.is_positive)}
-
-
-def _with_sign(tree: Expression, is_positive: bool) -> Expression:
-    """A side as it is, or with the other sign."""
-    return tree if is_positive else swept(Negate(tree))
+    size = size_of(tree)
+    return {} if size is None else {size.figures: with_sign(put, size.is_positive)}
 
 
 def _same_angle(ratio: Expression, figures: Expression | None, inverse: str = "arccos") -> bool:
@@ -681,12 +566,6 @@ def _differ(exact: Expression, put: Expression) -> bool:
     return is_measure_of_angle(put) or (
         figures_of(exact, FIGURES_OF_ANSWERS) != figures_of(put, FIGURES_OF_ANSWERS)
     )
-
-
-def _digits_of(tree: Expression) -> str:
-    """Many figures of the size of a number, which tell it from others on paper."""
-    value = scalar_worth(tree)
-    return "" if value is None else str(sp.Abs(value).evalf(_FIGURES_TOLD))
 
 
 def figures_of(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:

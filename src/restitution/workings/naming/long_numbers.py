@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Relation
 from restitution.expression.tree import Expression, Letter, Number, has_root, is_function, walk
-from restitution.workings.naming.figures import plain_angles
+from restitution.workings.naming.plain_angles import plain_angles
 from restitution.workings.naming.roots_of_roots import (
     has_unwieldy_root,
     is_of_nested_roots,

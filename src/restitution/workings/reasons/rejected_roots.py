@@ -20,8 +20,9 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Negate, Number, Unit, is_function, letters
 from restitution.render import layout as lay
-from restitution.workings.naming.figures import Figures, is_by_calculator
+from restitution.workings.naming.figures import Figures
 from restitution.workings.naming.measured import vector_worth, worth
+from restitution.workings.naming.plain_angles import is_by_calculator
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.rejected import (
     bound_broken,
