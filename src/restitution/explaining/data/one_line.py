@@ -118,11 +118,11 @@ def with_lines_of_centres(given: Arrangement) -> Problem:
 
     number, parts = 0, []
     for part in problem.parts:
-        told: list[Step] = []
+        own: list[Step] = []
         for step in part.steps:
             number += isinstance(step, Impact | Kick | Arrival)
-            told.append(with_its_line(step, number))
-        parts.append(replace(part, steps=tuple(told)))
+            own.append(with_its_line(step, number))
+        parts.append(replace(part, steps=tuple(own)))
     return replace(problem, parts=tuple(parts))
 
 
