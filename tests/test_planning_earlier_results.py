@@ -352,3 +352,23 @@ def test_a_greatest_deflection_goes_on_from_the_tangent_that_was_shown() -> None
     )
     assert "tan δ ≤ √2/4" in parts["b"]
     assert "greatest value of δ = arctan(√2/4) ≈ 19.5°" in parts["b"]
+
+
+NUMBERED = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 1, at rest
+A hits B: along i, e = 1/2
+"""
+TANGENTS = {
+    "letters": (STRUCK, "tan(theta)/(1 + 2tan^2(theta))", "δ = arctan(tan θ/(1 + 2 tan²θ))"),
+    "numbers": (NUMBERED, "12/41", "δ = arctan(12/41) M1 ≈ 16.3°"),
+}
+
+
+@pytest.mark.parametrize("name", TANGENTS)
+def test_a_deflection_of_which_the_tangent_was_shown_comes_of_that(name: str) -> None:
+    statement, tangent, last = TANGENTS[name]
+    parts = worked(
+        f"{statement}part a\nshow tan(deflection(A)) = {tangent}\npart b\nfind deflection(A)\n"
+    )
+    assert parts["b"].startswith(f"From (3): {last}")

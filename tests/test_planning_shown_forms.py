@@ -235,6 +235,42 @@ show beta < pi/4
         ("3 N s", "< 1 = tan(π/4) and β is acute"),
         ("w² m² s⁻²",),
     ),
+    "both sides expanded, before like terms are collected": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = e
+B hits C: along i, e = e
+given A and B collide again
+show e < (7 - 3 sqrt(5))/2
+""",
+        ("3 − 6e > 2 + e − e²",),
+        (),
+    ),
+    "sines and cosines collected, before there is a tangent": (
+        """
+wall OA: along i
+wall OB: along 45°
+sphere P: velocity u at 180° - alpha to OA
+P hits OA: e = e
+P hits OB: e = e
+given velocity(P) parallel to OA
+show tan(alpha) = (1 + e)/(e (1 - e))
+""",
+        ("(1 − e)e sin α = (1 + e) cos α",),
+        (),
+    ),
+    "a greatest angle by its sine": (
+        """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+show maximum of deflection(A) over alpha = arcsin(1/3)
+""",
+        ("so δ is acute", "sin δ ≤ ⅓", "greatest value of δ = arcsin(1/3)"),
+        ("arctan", "as 0° ≤ δ"),
+    ),
 }
 
 

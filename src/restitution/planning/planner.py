@@ -50,7 +50,12 @@ from restitution.planning.inequalities.forms_of_ranges import (
     write_forms,
 )
 from restitution.planning.inequalities.over_offsets import write_by_offset
-from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
+from restitution.planning.inequalities.ranges import (
+    general_answer,
+    only_answer,
+    relation_of,
+    write_range,
+)
 from restitution.planning.missed_walls import write_missed_wall
 from restitution.planning.open_clashes import write_open_clash
 from restitution.planning.out_of_range import write_out_of_range
@@ -564,7 +569,7 @@ def _write_item(
                 write = partial(_write_range, scene, solver, asked, relation, result, name)
                 with_coefficients_given(scene, solver, write)
         case Extremum():
-            from restitution.planning.inequalities.extrema import only_answer, write_extremum
+            from restitution.planning.inequalities.extrema import write_extremum
 
             asked = with_angles_given(scene, staged(problem, item.expression, now))
             over = item.over

@@ -1,4 +1,4 @@
-"""A ratio of an angle in letters, of which a later part gives the values."""
+"""A ratio of an angle that stands above: as it is, or with the values that a later part gives."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity, walk
 from restitution.planning.axes.offsets import ratios_by_offsets
-from restitution.planning.formulas.named_angles import letter_known
+from restitution.planning.formulas.named_angles import letter_known, letter_of
+from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
@@ -81,6 +82,41 @@ def ratio_of_an_answer(scene: Scene, asked: Quantity, functions: Sequence[str]) 
     return None
 
 
+def ratio_that_stands(scene: Scene, asked: Quantity) -> Ratio | None:
+    """The cosine or tangent of an angle between two velocities that stands in a line already.
+
+    What was to be shown has it of the angle itself, not of its letter, and that in letters too.
+    """
+    if velocities_of(scene, asked) is None:
+        return None
+    named = letter_known(scene, asked)
+    shown = {end.line for end in scene.desk.ends if end.shown}
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation(((Link(Apply("cos" | "tan" as function, angle), "="), *_),)) if (
+                scene.desk.holds(line.number)
+                and (angle == asked or (named is not None and angle == Letter(named[0])))
+            ):
+                right = scene.desk.last_link(line.number).right
+            case _:
+                continue
+        if has_quantity(right):
+            continue
+        value = tidy(scene.scalar(right))
+        if value.free_symbols and (
+            line.number not in shown
+            or scene.put(value)[1]
+            or scene.lets_in(Link(angle, "=", right))
+            or scene.model.proved_sign(scene.model.in_data(value)) is None
+        ):
+            continue
+        letter, meaning = named or letter_of(scene, asked)
+        side = (meaning,) if angle == asked else ()
+        extent = RANGES["deflection"].format(letter)
+        return Ratio(line.number, letter, function, value, extent, side)
+    return None
+
+
 def _given_values(
     scene: Scene, tree: Expression
 ) -> tuple[Mapping[Expression, Expression], list[Ref]]:
@@ -116,4 +152,4 @@ def _put(
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
-__all__ = ["ratio_of_an_answer", "with_letters_put"]
+__all__ = ["ratio_of_an_answer", "ratio_that_stands", "with_letters_put"]

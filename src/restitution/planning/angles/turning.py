@@ -46,7 +46,11 @@ from restitution.planning.angles.directions import (
 from restitution.planning.angles.directions_from_walls import direction_from_a_wall
 from restitution.planning.angles.from_axes import from_an_axis
 from restitution.planning.angles.kept_tangents import multiple_of_a_tangent
-from restitution.planning.angles.letters_put import ratio_of_an_answer, with_letters_put
+from restitution.planning.angles.letters_put import (
+    ratio_of_an_answer,
+    ratio_that_stands,
+    with_letters_put,
+)
 from restitution.planning.angles.lines_between import (
     angle_of_lines,
     cosine_of,
@@ -82,13 +86,12 @@ from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import (
     ANGLES,
-    letter_known,
     letter_of,
     ratio_line,
     tangent_line,
 )
 from restitution.planning.formulas.standing_vectors import stand_as_vectors, stand_beside_the_line
-from restitution.planning.formulas.turns import turns_of, velocities_of
+from restitution.planning.formulas.turns import turns_of
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
     known_speed,
@@ -159,7 +162,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
-        known_ratio = _by_a_known_ratio(scene, asked)
+        known_ratio = ratio_that_stands(scene, asked)
         known_ratio = known_ratio or ratio_of_an_answer(scene, asked, ("cos", "tan"))
         own = known_ratio or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, with_letters_put(scene, own))
@@ -232,25 +235,6 @@ def _ratio_of_its_letter(
             if len(relation.options) > 1:
                 return line, relation
             return line, chain(tree, (tree_of(source.value), None))
-    return None
-
-
-def _by_a_known_ratio(scene: Scene, asked: Quantity) -> Ratio | None:
-    """The cosine or tangent of an angle between two velocities that stands in a line already."""
-    named = letter_known(scene, asked)
-    if named is None or velocities_of(scene, asked) is None:
-        return None
-    letter, _ = named
-    for function in ("cos", "tan"):
-        tree = Apply(function, Letter(letter))
-        for line in reversed(scene.desk.lines):
-            if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
-                continue
-            if scene.desk.holds(line.number) and line.relation.only[0].left == tree:
-                value = tidy(scene.scalar(scene.desk.last_link(line.number).right))
-                if not value.free_symbols:
-                    extent = RANGES["deflection"].format(letter)
-                    return Ratio(line.number, letter, function, value, extent)
     return None
 
 

@@ -52,7 +52,7 @@ from restitution.planning.inequalities.given_products import (
     product_with_an_axis,
     write_given_product,
 )
-from restitution.planning.inequalities.multiplied_out import multiplied_out
+from restitution.planning.inequalities.multiplied_out import multiplied_out, sides_expanded
 from restitution.planning.inequalities.oblique_components import is_oblique
 from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
 from restitution.planning.inequalities.squares import (
@@ -338,7 +338,8 @@ class Conditions:
             return first
         inequality = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
         moves = (Move("rearrange"), Move("cancel"))
-        last = self.judge.write(moves, [first, *self.worths.known_in(gap)], inequality)
+        start = sides_expanded(self.worths, first)
+        last = self.judge.write(moves, [start, *self.worths.known_in(gap)], inequality)
         completed = None if last is None else completed_square(self.scene, positive * rest)
         if last is None or completed is None:
             return first if last is None else last
@@ -530,6 +531,8 @@ class Conditions:
                     solved = solve_linear(self.scene, sign, x)
                     if x.has(sp.sin) and x.has(sp.cos):
                         line = self._square_of_ratio(line)
+                    if solved is None:
+                        line = sides_expanded(self.worths, line)
                     line = in_factors(self.worths, line, known)
                     if solved is None and self._is_one_factor(line):
                         return line

@@ -50,7 +50,7 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.completed_squares import write_completed, write_square
 from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
-from restitution.planning.inequalities.inverses import inverse_by_lines
+from restitution.planning.inequalities.inverses import bounds_of_the_ratio, inverse_by_lines
 from restitution.planning.inequalities.letter_ranges import ranges_of
 from restitution.planning.inequalities.nearing import comes_to, roots_by_a_root
 from restitution.planning.inequalities.over_offsets import offset_over, role_of
@@ -69,20 +69,10 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.polynomials import expanded, one_fraction, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
-from restitution.solving.equations.solution import Answer, ItemResult
+from restitution.solving.equations.solution import Answer
 from restitution.solving.story.letters import roles
 
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
-
-
-def only_answer(result: ItemResult, *, always: bool = False) -> Answer:
-    """The one answer of an item, which is one ``always``, for all letters, if so wanted.
-
-    Raises NotPlannedError where there is none.
-    """
-    if len(result.distinct) != 1 or (always and result.distinct[0].condition):
-        raise NotPlannedError("an answer in cases")
-    return result.distinct[0]
 
 
 def write_extremum(
@@ -161,6 +151,7 @@ class _Extremum:
         degrees = angle or (isinstance(asked, Letter) and known[asked.name].kind == "angle")
         self.printed = printed if not angle else None
         self.arctangent = printed.argument if angle and is_function(printed, "arctan") else None
+        self.inverse = printed if angle and is_function(printed, "arcsin", "arccos") else None
         form = self.printed or tree_of(value, angle=degrees, as_it_is=angle)
         self.end = Link(self.asked, sign, form)
 
@@ -226,7 +217,7 @@ class _Extremum:
         asked, whole, value = self.asked, self.end, self.value
         tangent = tidy(sp.tan(value))
         if not value.is_Symbol and not sp.deg(value).is_Rational:
-            whole = replace(whole, right=Apply("arctan", form or tree_of(tangent)))
+            whole = replace(whole, right=self.inverse or Apply("arctan", form or tree_of(tangent)))
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             return self._of_wide_angle(asked)
         start = self.claims.worths.mark()
@@ -252,6 +243,9 @@ class _Extremum:
             bound = method(line)
             if bound is not None:
                 own = Relation(((whole,),))
+                for ratio in bounds_of_the_ratio(whole, letter) if self.inverse else ():
+                    in_it = self.claims.angle_of(bound, line, extent, ratio, (), self.support)
+                    bound = in_it or bound
                 last = self.claims.angle_of(bound, line, extent, own, (), self.support)
                 there = None if last is None else self._place(line, Apply("tan", asked), extent)
                 if (

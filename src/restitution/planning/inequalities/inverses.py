@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.lines.derivation import FLIPPED, Link, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Apply, Expression, Letter, walk
 from restitution.planning.writing.forms import tree_of
@@ -33,4 +34,13 @@ def inverse_by_lines(
     return Apply(f"arc{ratio}", tree_of(tidy(_RATIOS[ratio](value))))
 
 
-__all__ = ["inverse_by_lines"]
+def bounds_of_the_ratio(link: Link, angle: Expression) -> Iterator[Relation]:
+    """``sin δ ≤ 3/13`` of δ ≤ arcsin(3/13); nothing of another bound of an acute angle."""
+    match link.right:
+        case Apply("arcsin", ratio):
+            yield Relation(((Link(Apply("sin", angle), link.sign, ratio),),))
+        case Apply("arccos", ratio):
+            yield Relation(((Link(Apply("cos", angle), FLIPPED[link.sign], ratio),),))
+
+
+__all__ = ["bounds_of_the_ratio", "inverse_by_lines"]

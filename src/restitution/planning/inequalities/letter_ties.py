@@ -360,8 +360,11 @@ class Ties:
     def _gathered(self, line: int, symbol: sp.Symbol) -> int:
         """The equation with like terms put together: squares of ratios of an angle, or brackets."""
         if roles(self.scene.problem)[symbol.name].kind == "angle":
-            line = with_the_sum_of_squares(self.scene, line, symbol) or line
-            return one_square_a_side(self.scene, line, symbol, self.judge.known([symbol.name]))
+            whole = with_the_sum_of_squares(self.scene, line, symbol) or line
+            known = self.judge.known([symbol.name])
+            squares = one_square_a_side(self.scene, whole, symbol, known)
+            if squares != line:
+                return squares
         return multiplied_out(self.scene, line, symbol)
 
     def rank(self, symbol: sp.Symbol) -> tuple[int, str]:

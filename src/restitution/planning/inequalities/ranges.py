@@ -488,6 +488,16 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
     return Relation(tuple(_links_of(asked, value, answer.angle) for value in ordered))
 
 
+def only_answer(result: ItemResult, *, always: bool = False) -> Answer:
+    """The one answer of an item, which is one ``always``, for all letters, if so wanted.
+
+    Raises NotPlannedError where there is none.
+    """
+    if len(result.distinct) != 1 or (always and result.distinct[0].condition):
+        raise NotPlannedError("an answer in cases")
+    return result.distinct[0]
+
+
 def general_answer(result: ItemResult) -> Answer | None:
     """The range, or of several the one from which the others come.
 

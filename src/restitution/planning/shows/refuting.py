@@ -33,8 +33,8 @@ from restitution.expression.tree import (
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.comparisons import Comparison
-from restitution.planning.inequalities.extrema import only_answer, write_extremum
-from restitution.planning.inequalities.ranges import relation_of, write_range
+from restitution.planning.inequalities.extrema import write_extremum
+from restitution.planning.inequalities.ranges import only_answer, relation_of, write_range
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError, together
 from restitution.planning.writing.forms import UnwrittenError, product, tree_of

@@ -139,7 +139,10 @@ def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
 def acute_by_its_tangent(
     line: Line, extent: Relation, cited: Iterable[Relation | None]
 ) -> Letter | None:
-    """The angle of up to 180° that a positive tangent makes acute, where either is compared."""
+    """The angle of up to 180° that a positive tangent makes acute, where that is compared.
+
+    It is by any of its ratios, or itself.
+    """
     match extent.options:
         case ((_, Link(Letter() as angle, "<=", Degrees(Fraction(numerator=180)))),):
             tangent = Apply("tan", angle)
@@ -149,7 +152,7 @@ def acute_by_its_tangent(
         return None
     below = Relation(((Link(tangent, ">", _ZERO),),))
     match line.relation.options:
-        case ((Link(own),),) if own == tangent:
+        case ((Link(Apply("sin" | "cos" | "tan", own)),),) if own == angle:
             return angle if below in cited else None
         case ((*_, Link(own, "<" | "<=", bound)),) if own == angle or is_quantity(
             own, *UNSIGNED_ANGLES
@@ -192,8 +195,10 @@ def angle_acute_by(derivation: Derivation, line: Line) -> Letter | None:
 
 def _is_less_than_90(bound: Expression) -> bool:
     match bound:
-        case Apply("arctan"):
+        case Apply("arctan" | "arcsin"):
             return True
+        case Apply("arccos", ratio):
+            return bool(in_letters(ratio).is_positive)
         case Degrees(value):
             return value < 90
         case Binary("-", Degrees(Fraction(numerator=90, denominator=1)), Letter()):
