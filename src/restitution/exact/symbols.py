@@ -26,9 +26,14 @@ def symbol_names(*values: sp.Basic) -> frozenset[str]:
     return frozenset([symbol.name for value in values for symbol in symbols_in(value)])
 
 
-def substituted(value: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """An expression with values for symbols, in the form that this gives."""
-    return value.xreplace(values)
+def substituted(value: sp.Expr, values: Mapping[sp.Basic, sp.Basic]) -> sp.Expr:
+    """An expression with values for some of its parts, in the form that this gives."""
+    return _substituted(value, frozenset(values.items()))
+
+
+@lru_cache(maxsize=4096)
+def _substituted(value: sp.Expr, values: frozenset[tuple[sp.Basic, sp.Basic]]) -> sp.Expr:
+    return value.xreplace(dict(values))
 
 
 def multiple_of_a_symbol(value: sp.Expr) -> tuple[sp.Expr, sp.Symbol | None] | None:

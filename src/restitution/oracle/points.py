@@ -80,7 +80,14 @@ class Program:
     @classmethod
     def of(cls, expressions: Sequence[sp.Expr]) -> Program:
         """Compiles expressions. Raises BeyondError for a function that is not known here."""
-        return _compiled(tuple(sp.sympify(expression, strict=True) for expression in expressions))
+        return _compiled(
+            tuple(
+                [
+                    own if isinstance(own, sp.Expr) else sp.sympify(own, strict=True)
+                    for own in expressions
+                ]
+            )
+        )
 
     def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
         """The sign of every expression at a point; None where it is undefined or not certain.

@@ -60,7 +60,6 @@ from restitution.explaining.awarding.work import (
     has_bound_and_place,
     length,
     says_a_value_again,
-    single_sides,
     subject_of,
 )
 from restitution.explaining.data.unused import lines_under
@@ -272,11 +271,11 @@ class _Awarding:
 
     def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
         """The mark of an item that a fact gives goes to the line that had it in letters."""
-        sides = single_sides(end.relation) if isinstance(end.relation, Relation) else None
+        sides = end.relation.sides
         for line in reversed(self.derivation.lines[: self.place[end.number]]):
             if line.shown == "silent" or not isinstance(line.relation, Relation) or sides is None:
                 continue
-            own = single_sides(line.relation)
+            own = line.relation.sides
             if own is not None and own[0] == sides[0]:
                 points[line.number].append("A")
                 return
@@ -639,7 +638,7 @@ class _Awarding:
 
     def _is_value(self, line: Line) -> bool:
         """Whether a line says what a quantity or a letter is, in the letters of the statement."""
-        link = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+        link = line.relation.sides
         return (
             link is not None
             and (subject_of(line) is not None or is_share_of_energy(line))

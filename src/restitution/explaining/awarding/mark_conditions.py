@@ -26,7 +26,6 @@ from restitution.explaining.awarding.work import (
     length,
     says_a_quantity_is_positive,
     says_a_value_again,
-    single_sides,
     subject_of,
     tells_a_quadrant,
 )
@@ -117,7 +116,7 @@ def _first_at_event(work: Work, line: Line) -> bool:
 
 def _zero(work: Work, line: Line) -> bool:
     """A component of a body that has none: nothing is to be worked out."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     return sides is not None and sides[1] == Number(Fraction(0))
 
 
@@ -337,9 +336,9 @@ def _an_angle_to_a_line(work: Work, line: Line) -> bool:
 
 def _of_one_component(work: Work, line: Line) -> bool:
     """It is one component, or the letter for it, as a line above has that."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     above = [e.relation for e in work.cited(line) if isinstance(e.relation, Relation)]
-    values = [tree for tree in map(single_sides, above) if tree is not None]
+    values = [own.sides for own in above if own.sides is not None]
     return sides is not None and [right for _, right in values] == [sides[1]]
 
 
@@ -448,7 +447,7 @@ def works_out(work: Work, line: Line) -> bool:
 
 def _of_a_number(work: Work, line: Line) -> bool:
     """Whether the value is read off the data as a number, with nothing to work out."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     if sides is None or not isinstance(sides[0], Apply):
         return False
     return length(line) == 1 and not letters(sides[1])
@@ -481,7 +480,7 @@ def _new_inequality(work: Work, line: Line) -> bool:
 
 def _of_a_sum(work: Work, line: Line) -> bool:
     """Whether a line is the tangent of an angle that is made of two, of which bounds are sought."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     ends = [end for end in work.derivation.items if end.item == line.item]
     return (
         sides is not None
@@ -540,7 +539,7 @@ def _fact_of_motion(work: Work, line: Line) -> bool:
     return any(
         fact.kind == "given"
         and fact.id not in used
-        and single_sides(fact.relation) is not None
+        and fact.relation.sides is not None
         and any(has_quantity(tree) or letters(tree) & named for tree in trees_of(fact.relation))
         for fact in _facts_used(work, line)
     )
@@ -557,7 +556,7 @@ def _facts_used(work: Work, line: Line) -> Iterator[Fact]:
 
 def _is_copied(work: Work, line: Line) -> bool:
     """Whether a line only says which value is given of a quantity, or of a ratio of an angle."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     return (
         line.move.id == "fact"
         and sides is not None

@@ -17,7 +17,6 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Relation,
     is_same_identity,
-    whole_of,
 )
 from restitution.explaining.lines.marks import Style
 from restitution.expression.quantities import LOSSES
@@ -69,23 +68,15 @@ def length(line: Line) -> int:
     return 1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))
 
 
-def single_sides(relation: Relation) -> tuple[Expression, Expression] | None:
-    """The sides of an equation, a chain by its ends; None for any other relation."""
-    if len(relation.options) != 1:
-        return None
-    link = whole_of(relation.options[0])
-    return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
-
-
 def is_settled(work: Work, line: Line) -> bool:
     """Whether a line says what an unknown is, with no unknown on its other side."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     return sides is not None and isinstance(sides[0], Letter) and not letters(sides[1]) & work.new
 
 
 def subject_of(line: Line) -> Expression | None:
     """The letter or quantity that a line is about: its left side."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    sides = line.relation.sides
     if sides is None or not isinstance(sides[0], Letter | Quantity):
         return None
     return sides[0]
@@ -93,7 +84,7 @@ def subject_of(line: Line) -> Expression | None:
 
 def is_an_equation(line: Line) -> bool:
     """Whether a line is an equation of which the left side is no letter or quantity alone."""
-    sides = single_sides(line.relation) if isinstance(line.relation, Relation) else None
+    sides = line.relation.sides
     return sides is not None and not isinstance(sides[0], Letter | Quantity)
 
 
@@ -121,7 +112,7 @@ def says_a_value_again(work: Work, line: Line) -> bool:
     cited = [own.relation for own in work.cited(line) if isinstance(own.relation, Relation)]
     if line.move.id != "sign" or len(cited) != 1 or not isinstance(line.relation, Relation):
         return False
-    sides = single_sides(cited[0])
+    sides = cited[0].sides
     links = [link for option in line.relation.options for link in option]
     return sides is not None and [(e.left, e.right) for e in links] == [sides]
 

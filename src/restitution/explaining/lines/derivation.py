@@ -110,6 +110,20 @@ class Relation:
         return Link(links[0].left, "=", links[-1].right)
 
     @cached_property
+    def whole(self) -> Link:
+        """From its first side to its last. Raises ValueError where it has alternatives."""
+        links = self.only
+        return Link(links[0].left, links[0].sign, links[-1].right)
+
+    @cached_property
+    def sides(self) -> tuple[Expression, Expression] | None:
+        """The sides of an equation, a chain by its ends; None for any other relation."""
+        if len(self.options) != 1:
+            return None
+        link = whole_of(self.options[0])
+        return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
+
+    @cached_property
     def letters(self) -> frozenset[str]:
         """The letters of which it speaks."""
         return frozenset().union(*map(letters, self.trees))
@@ -129,6 +143,10 @@ class Meaning:
     sense: Expression | None = None
     vector: bool = False
     angle: Literal["acute", "turn", "signed"] | None = None
+
+    @property
+    def sides(self) -> None:
+        """None: it is no equation."""
 
     @cached_property
     def trees(self) -> tuple[Expression, ...]:

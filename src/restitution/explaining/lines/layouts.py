@@ -12,7 +12,7 @@ from math import isqrt
 from typing import Any, TypeGuard
 
 from restitution.explaining.lines.derivation import Link, Relation
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import compounds_rebuilt
 from restitution.expression.defined import quantity_of
 from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
@@ -180,7 +180,7 @@ class Forms:
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""
         if tree not in self._printed:
-            self._printed[tree] = rebuilt(tree, self._node)
+            self._printed[tree] = compounds_rebuilt(tree, self._node)
         return self._printed[tree]
 
     def with_whole_fractions(self, tree: Expression, vectors: AbstractSet[str]) -> Expression:
@@ -212,7 +212,7 @@ class Forms:
             whole[own] = Binary("*", whole.get(node.left, node.left), node.right)
             return own
 
-        return rebuilt(tree, change)
+        return compounds_rebuilt(tree, change)
 
     def _node(self, node: Expression) -> Expression:
         match node:

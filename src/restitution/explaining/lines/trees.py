@@ -27,6 +27,24 @@ from restitution.expression.tree import (
 )
 
 
+def compounds_rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
+    """A tree with each node changed, innermost first, but for letters, numbers and names."""
+    if type(tree) in LEAVES:
+        return tree
+    if type(tree) is Apply:
+        argument = compounds_rebuilt(tree.argument, change)
+        same = argument is tree.argument
+        return change(tree if same else Apply(tree.function, argument, place=tree.place))
+    if type(tree) is not Binary:
+        return rebuilt(tree, lambda node: node if type(node) in LEAVES else change(node))
+    left, right = tree.left, tree.right
+    own = left if type(left) in LEAVES else compounds_rebuilt(left, change)
+    other = right if type(right) in LEAVES else compounds_rebuilt(right, change)
+    if own is not left or other is not right:
+        tree = Binary(tree.op, own, other, place=tree.place)
+    return change(tree)
+
+
 def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
     """A tree with each node changed, innermost first."""
     if type(tree) in LEAVES:
@@ -93,6 +111,8 @@ def _in_degrees(tree: Expression) -> Expression:
 
 def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
     """A tree with others in place of some of its parts, outermost first."""
+    if not values:
+        return tree
     if tree in values:
         return values[tree]
     if type(tree) in LEAVES:

@@ -13,7 +13,7 @@ from itertools import permutations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
+from restitution.exact.symbols import atoms_in, substituted, symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -329,12 +329,16 @@ def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.
     return tuple(sorted(terms, key=lambda term: not term.is_Symbol)) or None
 
 
+# What stands for a function of the unknown.
+_FUNCTION = sp.Dummy()
+
+
 def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
     """In what the sides are polynomials: the unknown, or its sine and cosine, or its tangent."""
     functions = {
         f for side in sides for f in atoms_in(side, sp.Function) if symbol in symbols_in(f)
     }
-    bare = [side.xreplace(dict.fromkeys(functions, sp.Dummy())) for side in sides]
+    bare = [substituted(side, dict.fromkeys(functions, _FUNCTION)) for side in sides]
     inside = any(symbol in symbols_in(value) for value in bare)
     roots = {p for side in sides for p in atoms_in(side, sp.Pow) if not p.exp.is_Integer}
     if any(symbol in symbols_in(root) for root in roots):

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import substituted
 from restitution.explaining.lines.derivation import Line, Link, Ref, Relation
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, has_quantity
 from restitution.planning.formulas.resolving import along_axis
@@ -189,8 +190,8 @@ def without_walls(scene: Scene, value: sp.Expr) -> sp.Expr:
         if scene.model.frames[law.number].wall is not None:
             body = scene.bodies(law.number)[0]
             symbol = scene.model.components[law.number, body].symbol
-            changes[symbol] = (symbol - law.residual).xreplace(changes)
-    return value.xreplace(changes)
+            changes[symbol] = substituted(symbol - law.residual, changes)
+    return substituted(value, changes)
 
 
 def axis_for(scene: Scene, body: str, number: int) -> Axis | None:

@@ -280,8 +280,7 @@ class Desk:
 
     def last_link(self, number: int) -> Link:
         """A line as one link, from its first side to its last."""
-        links = self.relation(number).only
-        return Link(links[0].left, links[0].sign, links[-1].right)
+        return self.relation(number).whole
 
     def under(self, *cited: Ref) -> frozenset[Ref]:
         """Lines or facts, and all that they rest on."""

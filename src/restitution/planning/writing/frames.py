@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import sympy as sp
 
@@ -57,12 +58,11 @@ class Frame:
 
     def component(self, kind: str, body: str, stage: int) -> Quantity:
         """The component of a velocity, as lines say it: ``kind`` is along or across."""
-        velocity = Quantity("velocity", (Name(body),), stage)
         if kind == "along":
-            return Quantity("along", (velocity, self.along))
+            return _component("along", body, stage, self.along)
         if self.across is not None:
-            return Quantity("along", (velocity, self.across))
-        return Quantity("across", (velocity, self.along))
+            return _component("along", body, stage, self.across)
+        return _component("across", body, stage, self.along)
 
     @property
     def unit_free(self) -> tuple[Ref, ...]:
@@ -83,6 +83,12 @@ class Frame:
     def sense(self) -> Expression | None:
         """The sense of the letters of components, where it is not that of ``along``."""
         return None if self.letter_sign == 1 else Negate(self.along)
+
+
+@lru_cache(maxsize=1024)
+def _component(kind: str, body: str, stage: int, direction: Expression) -> Quantity:
+    """A component of a velocity: always the same object, which is found without comparing."""
+    return Quantity(kind, (Quantity("velocity", (Name(body),), stage), direction))
 
 
 _I, _J = (Vector(sp.Integer(x), sp.Integer(y)) for x, y in ((1, 0), (0, 1)))

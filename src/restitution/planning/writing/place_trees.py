@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Literal
 
 from restitution.explaining.lines.derivation import Link
@@ -11,22 +12,28 @@ from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit
 Axis = Literal["i", "j"]
 AXES: tuple[Axis, Axis] = ("i", "j")
 
+# Such trees are kept, to be found by what they are and not by what is in them.
 
+
+@lru_cache(maxsize=256)
 def time_tree(number: int) -> Quantity:
     """The time of an event; of event 0, the start."""
     return Quantity("time", (), number)
 
 
+@lru_cache(maxsize=256)
 def duration_tree(late: int, early: int) -> Binary:
     """The time from one event to another."""
     return Binary("-", time_tree(late), time_tree(early))
 
 
+@lru_cache(maxsize=256)
 def place_tree(body: str, stage: int) -> Quantity:
     """Where a body is at an event."""
     return Quantity("position", (Name(body),), stage)
 
 
+@lru_cache(maxsize=256)
 def coordinate_tree(body: str, stage: int, axis: Axis) -> Quantity:
     """A coordinate of the place of a body at an event."""
     return Quantity("along", (place_tree(body, stage), Unit(axis)))

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components.models import Model
-from restitution.exact.symbols import atoms_in, symbol_names, symbols_in
+from restitution.exact.symbols import atoms_in, substituted, symbol_names, symbols_in
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt, trees_of
@@ -394,7 +394,7 @@ class Scene:
             if changes:
                 for change in changes:
                     times[change] = times.get(change, 0) + 1
-                own = own.xreplace(changes)
+                own = substituted(own, changes)
                 continue
             for ratio in ratios:
                 if symbols_in(ratio) & self.kept:
@@ -405,7 +405,7 @@ class Scene:
                     refs += source.refs
             if not changes:
                 break
-            own = own.xreplace(changes)
+            own = substituted(own, changes)
         return own, together(refs)
 
     def _with_components(self, own: sp.Expr) -> tuple[sp.Expr, Sequence[Ref]]:
@@ -468,7 +468,7 @@ class Scene:
             if source is not None:
                 changes[symbol] = source.value
                 refs += source.refs
-        return Source(ratio.xreplace(changes), tuple(refs)) if changes else None
+        return Source(substituted(ratio, changes), tuple(refs)) if changes else None
 
     def _ratio_fact(self, symbol: sp.Basic) -> Fact | None:
         """The fact that gives a sine, cosine or tangent of an angle as a number."""

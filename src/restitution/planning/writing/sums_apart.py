@@ -6,7 +6,6 @@ where one fraction would stand within another: *(2((6a − 13)/3) + 3)/2*.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -37,25 +36,23 @@ def with_sums_apart(derivation: Derivation, oracle: Oracle) -> Derivation:
     shown = {end.line for end in derivation.items if end.shown}
     if shown:
         return derivation
-    apart = {tree: own for tree in _put_in(derivation) if (own := _apart(tree)) is not None}
+    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
+    apart = {
+        tree: own
+        for relation in relations
+        for side in trees_of(relation)
+        for tree in _components(side)
+        if is_binary(tree, "/") and letters(tree) and (own := _apart(tree)) is not None
+    }
     for tree, own in apart.items():
-        derivation = _with(derivation, {tree: own}, oracle)
+        if sum(_stands_in(tree, relation) for relation in relations) >= _SEVERAL:
+            derivation = _with(derivation, {tree: own}, oracle)
     return derivation
 
 
-def _put_in(derivation: Derivation) -> Iterator[Expression]:
-    """The quotients that a line has by themselves, or as a component, and another line too."""
-    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
-    within: Counter[Expression] = Counter(
-        tree
-        for relation in relations
-        for tree in {node for side in trees_of(relation) for node in walk(side)}
-    )
-    for relation in relations:
-        for side in trees_of(relation):
-            for node in _components(side):
-                if is_binary(node, "/") and within[node] >= _SEVERAL and letters(node):
-                    yield node
+def _stands_in(tree: Expression, relation: Relation) -> bool:
+    """Whether a tree stands somewhere in a relation."""
+    return any(tree in walk(side) for side in trees_of(relation))
 
 
 def _components(tree: Expression) -> Iterator[Expression]:

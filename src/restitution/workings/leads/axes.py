@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from restitution.explaining.lines.saying import Sentence, say
@@ -100,9 +100,8 @@ def has_axes(value: Any) -> bool:
         return "-coordinate" in value
     if isinstance(value, tuple | list):
         return any(map(has_axes, value))
-    if is_dataclass(value) and not isinstance(value, type):
-        return any(has_axes(getattr(value, field.name)) for field in fields(value))
-    return False
+    fields_ = getattr(type(value), "__dataclass_fields__", ())  # those of any other class: none
+    return any(has_axes(getattr(value, name)) for name in fields_)
 
 
 __all__ = ["has_axes", "senses_of_axes", "with_axes"]
