@@ -365,3 +365,20 @@ let delta = deflection(P)
 {shown}show {claim}
 """
     assert told in " ".join(to_text(explain(solve(parse(text)))).split())
+
+
+@pytest.mark.parametrize(
+    ("bound", "refuted"),
+    [("1/2", "It is not true that e > ½: e may be ½."), ("1/3", "e may be 0, with u = −1.")],
+)
+def test_a_counterexample_has_a_negative_letter_only_where_it_rests_on_that(
+    bound: str, refuted: str
+) -> None:
+    text = f"""
+sphere A: mass m, velocity u i + v j
+sphere B: mass 3m, at rest
+A hits B: along i
+given along(velocity(A), i) < 0
+show e > {bound}
+"""
+    assert refuted in " ".join(to_text(explain(solve(parse(text)))).split())

@@ -141,10 +141,14 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
         verdict = oracle.decide(claim)
         if verdict.answer == "refuted" and (existence := _existence(branch, step, now)):
             # Where an angle has no value, a claim about it says nothing.
-            verdict = oracle.with_facts(existence).decide(claim)
+            oracle = oracle.with_facts(existence)
+            verdict = oracle.decide(claim)
         if verdict.answer == "refuted" and (sizes := _sizes(branch, step, now)):
             # What is at rest has no direction, and a claim of directions says nothing of it.
-            verdict = oracle.with_facts(sizes).decide(claim)
+            oracle = oracle.with_facts(sizes)
+            verdict = oracle.decide(claim)
+        if verdict.answer == "refuted":
+            verdict = _least_signed(oracle, outcome, claim, verdict)
     except BeyondError:
         return UNDECIDED, claim
     if verdict and not (isinstance(letters_, Letters) and letters_.certain):
@@ -152,6 +156,36 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
     if verdict and not _has_value(claim, branch):
         raise UnsupportedError("a tangent or a quotient in this claim has no value")
     return verdict, claim
+
+
+def _least_signed(oracle: Oracle, outcome: Outcome, claim: Formula, verdict: Verdict) -> Verdict:
+    """The same refutation at a point where letters of either sign are positive, else −1.
+
+    Where neither may be, the point is left as it is.
+    """
+    for name in _signed(outcome, verdict.witness or {}):
+        symbol = REAL.symbol(name)
+        for fact in (Relation(symbol, ">"), Relation(symbol + 1, "=")):
+            if fact == claim:
+                continue
+            try:
+                other = oracle.with_facts((fact,)).decide(claim)
+            except BeyondError:
+                continue
+            if other.answer == "refuted" and other.witness is not None:
+                oracle, verdict = oracle.with_facts((fact,)), other
+                break
+    return verdict
+
+
+def _signed(outcome: Outcome, witness: Point) -> list[str]:
+    """The letters of either sign that are not positive at a point."""
+    roles = outcome.setting.roles
+    return [
+        name
+        for name in sorted(witness)
+        if name in roles and roles[name] == REAL and not _number(witness[name]).is_positive
+    ]
 
 
 def _has_value(claim: Formula, branch: Branch) -> bool:
@@ -209,7 +243,7 @@ def _if_positive(outcome: Outcome, branch: Branch, witness: Point, claim: Formul
     """The letters of either sign for whose positive values alone a claim is proved."""
     roles = outcome.setting.roles
     every = [name for name in sorted(witness) if name in roles and roles[name] == REAL]
-    signed = [name for name in every if not _number(witness[name]).is_positive]
+    signed = _signed(outcome, witness)
     for names in (signed, every) if signed else ():
         positive = [Relation(REAL.symbol(name), ">") for name in names]
         try:
@@ -289,7 +323,8 @@ def _counterexample(
             there = value.xreplace({s: put[s.name] for s in value.free_symbols if s.name in put})
             shown[name] = exact.tidy_angle(there) if there.has(sp.atan) else exact.tidy(there)
             matters |= symbol_names(value) if name in matters else set()
-    used = _used(results, outcome) & matters
+    # It rests on a letter that cannot be positive there, as one would take it to be.
+    used = _used(results, outcome) & (matters | {*_signed(outcome, witness)})
     return {name: exact.sympy_text(shown[name]) for name in sorted(shown) if name in used}
 
 

@@ -150,6 +150,8 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
         if beside:
             others = tuple(_side(link, naming) for link in beside)
             return say("refuted.possible-when", **slots, values=others)
+        if signs := tuple(_side(link, naming) for link in note.instance if link not in note.sides):
+            return say("refuted.possible-with", **slots, values=signs)
         return say("refuted.possible", **slots)
     if len(beside) == 1:
         # A letter of which the instance says the value is a bound: its value is not said again.

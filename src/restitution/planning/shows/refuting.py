@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     is_binary,
     letters,
 )
+from restitution.oracle.roles import REAL
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.comparisons import Comparison
@@ -211,6 +212,7 @@ class _Refutation:
         claim = Relation((self.links,)) if self.links else None
         trees = list(trees)
         used = {letter for tree in trees for letter in self._letters(tree)}
+        used |= {name for name, value in self.numbers.items() if self._is_negative(name, value)}
         numbers = {name: value for name, value in self.numbers.items() if name in used}
         if not trees:
             numbers = dict(self.numbers)
@@ -294,6 +296,10 @@ class _Refutation:
             for name, value in numbers.items()
         )
         return replace(note, instance=instance)
+
+    def _is_negative(self, letter: str, value: sp.Expr) -> bool:
+        """Whether a letter of either sign is not positive: a given fact may rest on its sign."""
+        return roles(self.scene.problem)[letter] == REAL and not value.is_positive
 
     def _is_scale(self, letter: str) -> bool:
         return roles(self.scene.problem)[letter].kind == "positive"

@@ -60,6 +60,9 @@ SENTENCES: Mapping[str, str] = {
     "refuted.claim": "It is not true that {claim}: {sides}.",
     "refuted.general": ("It is not true that {claim}: with {values:and}, for instance, {sides}."),
     "refuted.possible": "It is not true that {claim}: {letter} may be {value}.",
+    "refuted.possible-with": (
+        "It is not true that {claim}: {letter} may be {value}, with {values:and}."
+    ),
     "refuted.possible-when": (
         "It is not true that {claim}: {letter} is {value}, for instance, when {values:and}."
     ),
