@@ -250,6 +250,12 @@ def test_senses_that_the_question_leaves_open_are_taken(statement: str, senses: 
             "u at 110° to W",
             "Parallel to W, A first moves in the direction opposite to 𝐢, and 𝐣 is away from W",
         ),
+        (
+            "j",
+            "u at 180° - theta to W",
+            "Parallel to W, A first moves in the direction opposite to 𝐣, and 𝐢 is towards W",
+        ),
+        ("i", "u at 90° to W", None),
         ("i", "u at -20°", None),
         ("i", "2i - 3j", None),
     ],

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from restitution.explaining.data.arrangement import Arrangement
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.expression.tree import Degrees, Expression, Name, Negate, Polar, Unit, negated
+from restitution.expression.tree import Apply, Expression, Name, Negate, Polar, Unit, negated
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.wording.scene import Scene, scene_of, wall_before
@@ -44,7 +45,10 @@ def _sense_at_a_wall(scene: Scene, body: str, velocity: Polar) -> Sentence | Non
     if velocity.wall is None and isinstance(velocity.origin, Negate):
         along = Negate(along)
     across, towards = _left(along), velocity.wall is None
-    if isinstance(velocity.angle, Degrees) and velocity.angle.value > _RIGHT:
+    side = Arrangement(scene.problem).sign(Apply("cos", velocity.angle))
+    if side is None:
+        return None
+    if side < 0:
         along = negated(along)
     if isinstance(across, Negate):
         across, towards = across.operand, not towards
@@ -60,7 +64,6 @@ def _sense_at_a_wall(scene: Scene, body: str, velocity: Polar) -> Sentence | Non
     )
 
 
-_RIGHT = 90
 # In which of two senses a sphere moves, and on which side an axis is, as taken and as told.
 _Words = tuple[tuple[SentenceId, SentenceId], tuple[SentenceId, SentenceId]]
 _TAKEN: _Words = ("axes.with", "axes.against"), ("axes.away", "axes.towards")
