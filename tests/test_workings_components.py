@@ -216,3 +216,22 @@ find v, energy_lost
 """
     along = "component of 𝐮_B along 𝐢 = −v cos β = −28u/3"
     printed_with(text, ("v = 91u/9", along, "½m((28u/3)² − (20u/3)²)"))
+
+
+def test_a_sphere_resolved_at_a_line_of_centres_at_90_degrees_moves_at_its_angle_to_it() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+sphere C: mass 3m, at rest
+A hits B: along 30°, e = 1/3
+B hits C: along 90°, e = 1/3
+show velocity(B) perpendicular to velocity(C)
+"""
+    printed_with(
+        text,
+        (
+            "moved off along the line of centres of that impact, at 60° to this one. Component",
+            "component of 𝐯_B1 along 𝐣 = (√3 u/3) cos 60° = √3 u/6",
+            "B moves perpendicular to the line of centres, and C, which was at rest, along it. So",
+        ),
+    )

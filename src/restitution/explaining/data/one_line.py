@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.data.arrangement import Arrangement, difference, world_of
-from restitution.explaining.data.paths_and_lines import turn_of_vector
+from restitution.explaining.data.paths_and_lines import in_degrees, turn_of_vector
 from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.expression.tree import (
     Binary,
@@ -111,6 +111,8 @@ def with_lines_of_centres(given: Arrangement) -> Problem:
             return step
         if isinstance(step.along, Quantity):
             return replace(step, along=_settled(given, step.along, number))
+        if (square := _axis_at(step.along)) is not None:
+            return replace(step, along=square)
         side = side_along(given, step, axis) if step in open_ and axis is not None else None
         if side is None or axis is None:
             return step
@@ -124,6 +126,15 @@ def with_lines_of_centres(given: Arrangement) -> Problem:
             own.append(with_its_line(step, number))
         parts.append(replace(part, steps=tuple(own)))
     return replace(problem, parts=tuple(parts))
+
+
+def _axis_at(angle: Expression | None) -> Expression | None:
+    """**i** or **j**, or the opposite, of an angle that is a multiple of 90°; None of any other."""
+    turn = None if angle is None else in_degrees(angle)
+    if turn is None or turn % 90:
+        return None
+    axis = Unit("j" if turn % 180 else "i")
+    return axis if turn % 360 in (0, 90) else Negate(axis)
 
 
 def _settled(given: Arrangement, line: Quantity, number: int) -> Expression:

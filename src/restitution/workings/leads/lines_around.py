@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     is_zero,
     letters,
     negated,
+    unsigned,
 )
 from restitution.render import layout as lay
 from restitution.vector import Vector
@@ -264,9 +265,19 @@ class LinesAround:
                     if isinstance(left, Letter) and left.name in meanings:
                         left = meanings[left.name].quantity
                     match left:
-                        case Quantity(kind, (Quantity("velocity", (Name(body),), _), _)):
-                            still[kind] = body
+                        case Quantity(kind, (Quantity("velocity", (Name(body),), _), axis)):
+                            still[self._kind_at(line, kind, axis)] = body
         return still
+
+    def _kind_at(self, line: Line, kind: str, axis: Expression) -> str:
+        """Whether a component is along the line of centres of an event, or across it.
+
+        One along **i** is across a line of centres along **j**.
+        """
+        fact = self._derivation.fact(" ".join(("axis", str(line.move.event))))
+        own = None if fact is None else unsigned(fact.relation.only[-1].right)
+        both = isinstance(axis, Unit) and isinstance(own, Unit)
+        return kind if not both else "along" if axis == own else "across"
 
     def _came_along(self, line: Line) -> Sentence | None:
         """That the angle of deflection is one to an axis, as the body came along that."""
