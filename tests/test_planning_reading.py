@@ -320,7 +320,7 @@ READINGS = [
     (THREE, "Let v₁ and w₁ be the components of the velocities of A and B"),
     (THREE, "Let v₂ and w₂ be the components of the velocities of B and C"),
     (HALF, "Dividing by t, which is not zero as α is acute:"),
-    (TANGENT, "An angle with tangent 4/3 has sine 0.8 and cosine 0.6."),
+    (TANGENT, "An acute angle with tangent 4/3 has sine 0.8 and cosine 0.6."),
     (TANGENT, "tan β = ⅜ M1 β = arctan(3/8)"),
     (TANGENT.replace("arctan(4/3)", "arcsin 0.8"), "tan β = ⅜ = 0.375 M1 β = arctan 0.375"),
     (ASIDE, "the angle between the line of centres and that path has sine"),

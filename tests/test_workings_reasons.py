@@ -473,12 +473,12 @@ show angle(velocity(P), W) <= alpha
         ),
         ["By the scalar product of 𝐯_A = −2u𝐢 + 2u𝐣 and 𝐯_B = −u𝐣:"],
     ),
-    "what does not change at a wall is said of a share of the energy": (
+    "by which component a share of the energy is lost at a wall is said": (
         (
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
             "given energy_lost = q energy(0)\nfind e in terms of alpha, q"
         ),
-        ["Dividing by half the mass, as the component parallel to W does not"],
+        ["By the component that changes, dividing by half the mass:"],
     ),
     "who moves along the line of centres was at rest": (
         (
@@ -517,6 +517,63 @@ show angle(velocity(P), W) <= alpha
             "A hits B\ngiven impulse(A) = -lambda m u (i + j), e = 1/2\nfind lambda"
         ),
         ["the line of centres is parallel to 𝐢 + 𝐣", "Scalar products with 𝐢 + 𝐣, along the"],
+    ),
+    "a speed towards a wall by its ends has its direction": (
+        (
+            "point O: (0, 0)\nwall OY: from O to (0, 8)\n"
+            "sphere P: at (4, 6), velocity -2i - 2j\nP hits OY: e = 1/2\nfind time(1)"
+        ),
+        ["Time = distance ÷ speed parallel to the x-axis:"],
+    ),
+    "an arccosine is the one of an acute angle, as its sine is positive": (
+        (
+            "wall V: along i\nsphere P: mass 2, velocity 13 at arccos(-5/13)\n"
+            "sphere Q: mass 1, velocity 10 at arcsin(4/5) to V\nP hits V: e = 1/3\n"
+            "Q hits V: e = 1/3\nfind velocity(P)\nfind speed(Q)"
+        ),
+        [
+            "An angle between 0° and 180° with cosine −5/13 has sine 12/13.",
+            "An acute angle with sine ⅘ has cosine ⅗.",
+        ],
+    ),
+    "one component by a wall is called the one that it is": (
+        (
+            "wall V: along -3i + 4j\nsphere P: mass 1, velocity 5j\nP hits V: e = 1/2\n"
+            "find across(velocity(P), V)"
+        ),
+        ["Component perpendicular to V:"],
+    ),
+    "tangents of open sense are squared for a reason": (
+        (
+            "sphere A: mass m, velocity u at 30°\nsphere B: mass m, velocity u at 60° from -i\n"
+            "A hits B: along i\nfind e\n"
+            "given angle(velocity(A), line_of_centres) = angle(velocity(B), line_of_centres)"
+        ),
+        ["Direction of motion, in squares, as the sense of a component is not known:", "tan²β"],
+    ),
+    "the other bound of a square over that of a cosine is seen by the sine": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at theta from j\nP hits W\n"
+            "given energy(P) = (1/3) energy(P, 0)\nfind e in terms of theta\nfind range of theta"
+        ),
+        ["In this range e² ≤ 1 as well, as 1 − 3 sin²θ < 3 − 3 sin²θ = 3 cos²θ."],
+    ),
+    "the sense along a circle is said where a component has it": (
+        (
+            "wall C: circle centre (0, 0) radius 2a\nsphere P: at (2a, 0), velocity u at alpha "
+            "from -i\nP hits C: e = 1/3\nfind time(1), speed(P)"
+        ),
+        [
+            "A chord makes equal angles with the radii at its ends:",
+            "The component along the tangent before the impact, taken anticlockwise:",
+        ],
+    ),
+    "energies of velocities that are given are lost by the component that changes": (
+        (
+            "wall W: along i\nsphere P: mass 2, velocity 3i - 2j\nP hits W\n"
+            "given velocity(P) = 3i + j\nfind energy_lost"
+        ),
+        ["Kinetic energy lost, by the component that changes:"],
     ),
     "a direction that is shown has its sense by an acute angle": (
         (

@@ -33,7 +33,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "total": ("derived-energy.title", "derived-energy.title"),
     "total-lost": ("derived-energy.title", "derived-energy.title"),
     "tan": ("derived-direction.title", "derived-direction.title"),
-    "tan-squared": ("derived-direction.title", "derived-direction.title"),
+    "tan-squared": ("derived-direction.squared", "derived-direction.squared"),
     "tan-direction": ("derived-direction.title", "derived-direction.title"),
     "speed": ("derived-speed.title", "derived-speed.title"),
     "size": ("derived-size.title", "derived-size.title"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from restitution.explaining.definitions.ties import tie_of
@@ -44,6 +45,12 @@ _RESOLVED = {
     (True, False): "resolved-wall.after-units",
     (False, True): "resolved-spheres.before-units",
     (False, False): "resolved-spheres.after-units",
+}
+
+# A component by a wall that is named, of a time that is not one of an impact with it.
+_AT_A_WALL: Mapping[str, SentenceId] = {
+    "along": "resolved-axes.along-wall",
+    "across": "resolved-axes.across-wall",
 }
 
 # At which angle a body comes that goes as it was left, that was at rest before the last impact, and
@@ -101,17 +108,19 @@ class ComponentLeads(LinesAround):
         """What is said before components: of which time they are."""
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:
-            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)) as own, axis)):
+            case Quantity(
+                "along" | "across" as side, (Quantity("velocity", _, int(stage)) as own, axis)
+            ):
                 event = self._naming.event_of_axis(axis)
                 if event is None and stage < (line.move.event or 0):
                     event = self._naming.events.get(line.move.event or 0)
                 sense = self._naming.at_the_wall(axis)
                 if event is None and sense is not None:
-                    return say("resolved-axes.wall", wall=sense[1])
+                    return _components(_AT_A_WALL[side], wall=sense[1])
                 if event is None and isinstance(axis, Unit):
                     return say("resolved-axes.title")
                 if event is None and isinstance(axis, Name):
-                    return say("resolved-axes.wall", wall=axis.name)
+                    return _components(_AT_A_WALL[side], wall=axis.name)
             case Quantity("dot", (_, Unit()) | (Unit(), _)):
                 return say("resolved-axes.title")
             case Quantity("dot", (Quantity("velocity", _, int(stage)), along)):

@@ -235,16 +235,23 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     if before and line.shown == "line":
         if before[-1].move.event != line.move.event:
             return say("chord.again")
-        tangential = is_quantity(left, "across")
-        return say("chord.along-tangent" if tangential else "chord.along-radius")
-    own = (line for line in derivation.lines if line.move.record == "chord")
-    sensed = any(
-        isinstance(line.relation, Relation)
+        if not is_quantity(left, "across"):
+            return say("chord.along-radius")
+        sensed = _has_sense(line) and not any(map(_has_sense, before))
+        return say("chord.along-tangent-sense" if sensed else "chord.along-tangent")
+    below = derivation.line(line.number + 1)
+    sensed = _has_sense(line) or (below is not None and _has_sense(below))
+    return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
+
+
+def _has_sense(line: Line) -> bool:
+    """Whether a line about a chord has a component along the wall, which is not zero."""
+    return (
+        line.move.record == "chord"
+        and isinstance(line.relation, Relation)
         and is_quantity(line.relation.only[0].left, "across")
         and not is_zero(line.relation.only[-1].right)
-        for line in own
     )
-    return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
 
 
 def _is_of_a_chord(line: Line) -> bool:

@@ -336,9 +336,8 @@ class GivenLeads(Leads):
             return (say("given.and", fact=sentence), say(name))
         if line.move.record not in ("energy-ratio", "fraction-lost"):
             return None
-        wall = self._wall_without_what_stays(line)
-        if wall is not None:
-            return (say("given.fact-across-wall", fact=sentence, wall=wall),)
+        if self._changes_by_one_component(line):
+            return (say("given.fact-across-wall", fact=sentence),)
         return (say("given.fact-without-mass", fact=sentence),)
 
     def _of_an_angle(
@@ -424,11 +423,11 @@ class GivenLeads(Leads):
         name: SentenceId = "given.off-the-line" if along else "given.along-the-line"
         return (say(name, fact=fact, body=body),)
 
-    def _wall_without_what_stays(self, line: Line) -> str | None:
-        """The wall at which energies differ by one component, where no line says which stays."""
+    def _changes_by_one_component(self, line: Line) -> bool:
+        """Whether energies at a straight wall differ by one component, the other has no line."""
         event = self._naming.events.get(line.move.event or 0)
         if event is None or not event.wall:
-            return None
+            return False
         above = (other for other in self._derivation.lines if other.number < line.number)
         stays = any(
             (line.move.record, line.move.event) == ("unchanged", event.number) for line in above
@@ -438,9 +437,8 @@ class GivenLeads(Leads):
                 is_quantity(node, "speed") for node in walk(change)
             ):
                 walls = {wall.name: wall for wall in self._naming.problem.walls}
-                own = walls[event.bodies[-1]]
-                return None if isinstance(own.shape, Circle) else own.name
-        return None
+                return not isinstance(walls[event.bodies[-1]].shape, Circle)
+        return False
 
     def _product_of(self, fact: Fact) -> Sentence:
         """Which scalar product the sign of an angle tells: of a deflection, that of two times."""

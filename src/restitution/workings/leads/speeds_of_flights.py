@@ -8,7 +8,14 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Fact, Line, Meaning, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Event,
+    Fact,
+    Line,
+    Meaning,
+    Relation,
+)
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
     Apply,
@@ -21,6 +28,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_function,
     unsigned,
 )
 from restitution.workings.naming.measured import vector_worth, worth
@@ -77,8 +85,21 @@ def _divides(naming: Naming, line: Line, unit: Unit, value: Any, own: sp.Expr) -
 def _normal(naming: Naming, line: Line) -> Expression | None:
     """**i** or **j** where that is square to the wall to which a body comes."""
     event = naming.events.get(line.move.event or 0)
+    if event is None or not event.wall:
+        return None
     normal = naming.unit_of(event, "along")
-    return None if event is None or not event.wall or normal is None else unsigned(normal)
+    return _of_a_wall_by_its_ends(naming, event) if normal is None else unsigned(normal)
+
+
+def _of_a_wall_by_its_ends(naming: Naming, event: Event) -> Unit | None:
+    """**i** or **j** where one is square to a wall that its ends give."""
+    fact = naming.derivation.fact(" ".join(("axis", str(event.number))))
+    if fact is None or len(fact.relation.options) != 1:
+        return None
+    vector = vector_worth(fact.relation.only[-1].right)
+    if vector is None or (vector.x == 0) == (vector.y == 0):
+        return None
+    return Unit("i" if vector.y == 0 else "j")
 
 
 def _in_the_direction(naming: Naming, line: Line, axis: Unit) -> Sentence:
@@ -143,13 +164,25 @@ def _sides(derivation: Derivation, naming: Naming, line: Line) -> Iterator[Side]
     yield from own
     if own:
         return
+    ratios = dict(_ratios_cited(derivation, line))
     for ref in line.premises:
         fact = derivation.fact(ref)
         if fact is not None and _is_of_the_velocity(fact, line.move.bodies):
             vector = vector_worth(fact.relation.only[-1].right)
             if vector is not None:
-                yield Unit("i"), vector.x
-                yield Unit("j"), vector.y
+                yield Unit("i"), vector.x.subs(ratios)
+                yield Unit("j"), vector.y.subs(ratios)
+
+
+def _ratios_cited(derivation: Derivation, line: Line) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """The sines and cosines with their values that a line cites."""
+    for ref in line.premises:
+        cited = derivation.line(ref) if isinstance(ref, int) else None
+        match None if cited is None else cited.relation:
+            case Relation((links,)):
+                for link in links:
+                    if link.sign == "=" and is_function(link.left, "sin", "cos"):
+                        yield worth(link.left), worth(link.right)
 
 
 def _is_of_the_velocity(fact: Fact, bodies: tuple[str, ...]) -> bool:

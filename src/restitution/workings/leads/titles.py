@@ -10,6 +10,7 @@ from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Event,
+    Fact,
     Line,
     Link,
     Meaning,
@@ -51,6 +52,7 @@ from restitution.workings.leads.shapes_of_lines import (
 )
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.turn_leads import TurnLeads
+from restitution.workings.naming.measured import vector_worth
 
 TITLED = frozenset({"law", "define"})
 
@@ -72,6 +74,15 @@ def _values(line: Line, own: Collection[str]) -> Iterator[tuple[Link, ...]]:
     for link in line.relation.options[0]:
         if isinstance(link.left, Letter) and link.left.name in own:
             yield (link,)
+
+
+def _is_oblique(fact: Fact) -> bool:
+    """Whether a fact gives a velocity with a component along **i** and one along **j**."""
+    link = fact.relation.options[0][-1]
+    if not is_quantity(fact.relation.options[0][0].left, "velocity"):
+        return False
+    vector = vector_worth(link.right)
+    return vector is not None and vector.x != 0 and vector.y != 0
 
 
 def _has_one_component(value: Expression) -> bool:
@@ -355,7 +366,9 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             # What is lost in all is lost in the one impact.
             one_impact = not self._naming.several and not by_speeds
             return (RECORDS["energy-lost"] if one_impact else record).title(event)
-        of_the_data = not any(isinstance(ref, int) for ref in line.premises)
+        of_the_data = not any(isinstance(ref, int) for ref in line.premises) and not any(
+            _is_oblique(fact) for fact in self._derivation.facts_in(line.premises)
+        )
         kicked = event is not None and event.kind == "kick"
         return "derived-energy.title" if of_the_data or by_speeds or kicked else record.title(event)
 

@@ -185,12 +185,22 @@ class DataAngles:
         angle = {"arctan": sp.atan, "arcsin": sp.asin, "arccos": sp.acos}[arc.function](value)
         written = self._naming.layout(arc.argument)
         sine, cosine = (self._naming.layout(tree_of(tidy(f(angle)))) for f in (sp.sin, sp.cos))
+        own = _kind_of_angle(arc, value)
         if arc.function == "arctan":
-            yield say("given.tangent", value=written, sine=sine, cosine=cosine)
+            yield say("given.tangent", angle=own, value=written, sine=sine, cosine=cosine)
         elif arc.function == "arcsin":
-            yield say("given.sine", value=written, cosine=cosine)
+            yield say("given.sine", angle=own, value=written, cosine=cosine)
         else:
-            yield say("given.cosine", value=written, sine=sine)
+            yield say("given.cosine", angle=own, value=written, sine=sine)
+
+
+def _kind_of_angle(arc: Apply, value: sp.Expr) -> Sentence:
+    """In which range an angle lies that is given by a ratio, so that the others follow."""
+    if value.is_positive:
+        return say("given.acute-angle")
+    if arc.function == "arccos":
+        return say("given.angle-of-an-arccosine")
+    return say("given.angle-of-an-arcsine")
 
 
 def _is_of_velocity(fact: Fact) -> bool:

@@ -15,6 +15,7 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -40,7 +41,7 @@ _WITHIN: Mapping[tuple[str, bool], SentenceId] = {
     ("before", False): "range.within-before",
     ("before", True): "range.within-all-before",
 }
-_ZERO, _TWO = Number(Fraction(0)), Number(Fraction(2))
+_ZERO, _ONE, _TWO = (Number(Fraction(value)) for value in range(3))
 _ORDER = ("<", "<=", ">", ">=")
 
 
@@ -75,8 +76,11 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
                 sentences.setdefault(number, note)
         if bounds:
             relations, why = (
-                tuple(naming.relation(Relation(((own,),))) for own in links)
-                for links in (bounds, [own for grounds in reasons for own in grounds])
+                tuple(naming.relation(Relation((own,))) for own in links)
+                for links in (
+                    [(own,) for own in bounds],
+                    [own for grounds in reasons for own in grounds],
+                )
             )
             if ends_of_walls or not all(reasons):
                 notes.insert(0, say("range.also", bounds=relations))
@@ -125,6 +129,9 @@ def _ends_of_a_wall(derivation: Derivation, ref: Ref) -> tuple[Link, Link] | Non
     low, high = fact.relation.only
     return low, high
 
+
+Chain = tuple[Link, ...]
+"""A comparison with what its last side is equal to."""
 
 Reached = tuple[Event, tuple[Link, ...]]
 """The event of a wall, and that the place there lies between its ends."""
@@ -260,11 +267,12 @@ def _holds(
     return _follows(solution, line, value, *_OTHER[sign])
 
 
-def _reasons(solution: Solution, line: Line, value: Expression, sign: str) -> tuple[Link, ...]:
+def _reasons(solution: Solution, line: Line, value: Expression, sign: str) -> tuple[Chain, ...]:
     """Why a quotient keeps the other bound: it is less than 1, or its factors are not negative.
 
     That it is less than 1 is seen where what is below exceeds what is above by terms of which none
-    is negative. Empty where no such reason is seen.
+    is negative, perhaps with the square of a cosine by that of the sine, or the other way round.
+    Empty where no such reason is seen.
     """
     match value:
         case Binary("/", above, below) if _follows(solution, line, below, ">", _ZERO):
@@ -272,14 +280,34 @@ def _reasons(solution: Solution, line: Line, value: Expression, sign: str) -> tu
         case _:
             return ()
     if sign == ">=":
-        return (Link(above, "<", below),) if _exceeds(solution, below, above) else ()
+        if _exceeds(solution, below, above):
+            return ((Link(above, "<", below),),)
+        same = _by_the_other_square(below)
+        if same is None or not _exceeds(solution, same, above):
+            return ()
+        return ((Link(above, "<", same), Link(same, "=", below)),)
     reasons: list[Link] = []
     for side in (above, below):
         if has_operator(side, "-"):
             positive = _follows(solution, line, side, ">", _ZERO)
             reasons.append(Link(side, ">" if positive else ">=", _ZERO))
     holds = all(_follows(solution, line, own.left, own.sign, own.right) for own in reasons)
-    return tuple(reasons) if holds else ()
+    return tuple((own,) for own in reasons) if holds else ()
+
+
+def _by_the_other_square(tree: Expression) -> Expression | None:
+    """A multiple of the square of a cosine by that of the sine, or the other way round."""
+    match tree:
+        case Binary("*", multiple, square):
+            pass
+        case _:
+            multiple, square = _ONE, tree
+    match square:
+        case Binary("^", Apply("sin" | "cos" as ratio, angle), power) if power == _TWO:
+            other = Binary("^", Apply("cos" if ratio == "sin" else "sin", angle), _TWO)
+            less = other if multiple == _ONE else Binary("*", multiple, other)
+            return Binary("-", multiple, less)
+    return None
 
 
 def _exceeds(solution: Solution, more: Expression, less: Expression) -> bool:

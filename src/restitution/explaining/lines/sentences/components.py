@@ -97,7 +97,8 @@ SENTENCES: Mapping[str, str] = {
         "{body} was at rest before {struck}, so it moved off along the line of centres: {vector}. "
         "{components:capital} before the impact:"
     ),
-    "resolved-axes.wall": "Components along {wall} and perpendicular to it:",
+    "resolved-axes.along-wall": "{components:capital} parallel to {wall}:",
+    "resolved-axes.across-wall": "{components:capital} perpendicular to {wall}:",
     "resolved-axes.title": "Components along the axes:",
     "units.both-spheres": (
         "Let {along} be the unit vector along the line of centres, and {across} the one "

@@ -280,6 +280,9 @@ SENTENCES: Mapping[str, str] = {
     ),
     "wall.beside-normal": "At right angles to the normal:",
     "derived-direction.title": "Direction of motion",
+    "derived-direction.squared": (
+        "Direction of motion, in squares, as the sense of a component is not known"
+    ),
     "derived-direction.why": (
         "The components are the two shorter sides of a right-angled triangle, of which the "
         "velocity is the longest. So the tangent of the angle that it makes with a line is the "

@@ -12,9 +12,12 @@ SENTENCES: Mapping[str, str] = {
         "line of centres."
     ),
     "given.turned-centres": "{body} moves at {angle} to the line of centres.",
-    "given.tangent": "An angle with tangent {value} has sine {sine} and cosine {cosine}.",
-    "given.sine": "An angle with sine {value} has cosine {cosine}.",
-    "given.cosine": "An angle with cosine {value} has sine {sine}.",
+    "given.tangent": "{angle:capital} with tangent {value} has sine {sine} and cosine {cosine}.",
+    "given.sine": "{angle:capital} with sine {value} has cosine {cosine}.",
+    "given.cosine": "{angle:capital} with cosine {value} has sine {sine}.",
+    "given.acute-angle": "an acute angle",
+    "given.angle-of-an-arcsine": "an angle between −90° and 90°",
+    "given.angle-of-an-arccosine": "an angle between 0° and 180°",
     "given.fact-along": ("It is given that {fact}, and {body} moves along the line of centres:"),
     "given.fact-across": (
         "It is given that {fact}, and {body} moves perpendicular to the line of centres:"
@@ -31,8 +34,7 @@ SENTENCES: Mapping[str, str] = {
     ),
     "given.some-multiple": "It is given that {fact}, so for some number {letter}:",
     "given.fact-across-wall": (
-        "It is given that {fact}. Dividing by half the mass, as the component parallel to {wall} "
-        "does not change:"
+        "It is given that {fact}. By the component that changes, dividing by half the mass:"
     ),
     "given.fact-without-mass": "It is given that {fact}. Dividing by half the mass:",
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",

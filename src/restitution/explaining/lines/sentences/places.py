@@ -73,6 +73,9 @@ SENTENCES: Mapping[str, str] = {
     ),
     "chord.again": "The next chord makes equal angles with the radii at its ends too",
     "chord.along-tangent": "The component along the tangent before the impact",
+    "chord.along-tangent-sense": (
+        "The component along the tangent before the impact, taken anticlockwise"
+    ),
     "chord.along-radius": "The component along the radius before the impact",
     "chord.length": "Chord = diameter × cosine of its angle with the radius",
     "chord.diameter": ("{body} moves along the radius, so it passes through the centre of {wall}"),
