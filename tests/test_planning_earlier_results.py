@@ -372,3 +372,36 @@ def test_a_deflection_of_which_the_tangent_was_shown_comes_of_that(name: str) ->
         f"{statement}part a\nshow tan(deflection(A)) = {tangent}\npart b\nfind deflection(A)\n"
     )
     assert parts["b"].startswith(f"From (3): {last}")
+
+
+def test_times_that_stand_are_added_from_one_event_to_another() -> None:
+    parts = worked(
+        "wall W: along i, through (0, 0)\nwall V: along i, through (0, d)\n"
+        "sphere P: at (0, h), velocity u at -alpha\nP hits W: e = e\nP hits V: e = e\n"
+        "P hits W: e = e\nP hits V: e = e\npart a\nfind time(3) - time(2)\n"
+        "part b\nshow time(4) - time(2) = d(1 + e)/(e^3 u sin(alpha))\n"
+    )
+    assert "t₄ − t₂ = d/(e²u sin α) + d/(e³u sin α)" in parts["b"]
+    assert "t₁" not in parts["b"]
+
+
+def test_a_time_goes_by_the_relation_that_was_shown() -> None:
+    parts = worked(
+        "point O: (0, 0)\nwall BC: along j, through (a, 0)\nwall CD: along i, through (0, b)\n"
+        "wall DA: along j, through (-a, 0)\nsphere P: at (0, 0), velocity u at theta\n"
+        "P hits BC: e = 1\nP hits CD: e = e\nP hits DA: e = 1\nP reaches O\n"
+        "part a\nshow tan(theta) = b(1 + e)/(4a e)\npart b\nshow time(4) = 4a/(u cos(theta))\n"
+    )
+    assert "t₄ − t₂ = b/(eu sin θ)" in parts["b"]
+    assert "(1 + e)b/(eu sin θ) Substituting for tan θ: t₄ = 4a/(u cos θ)" in parts["b"]
+
+
+@pytest.mark.parametrize("claim", ["<= u/4", "< 3u/8"])
+def test_a_bound_comes_of_the_greatest_value_above(claim: str) -> None:
+    parts = worked(
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nsphere C: mass 4m, at rest\n"
+        "A hits B: along i\nB hits C: along i\npart a\nfind maximum of speed(C) over k\n"
+        f"part b\ngiven e = 1/2\nshow speed(C) {claim}\n"
+    )
+    assert "Since e = ½, from (7): speed of C ≤ u/4" in parts["b"]
+    assert "k" not in parts["b"]

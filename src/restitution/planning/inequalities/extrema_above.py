@@ -1,4 +1,7 @@
-"""A greatest or least value that an earlier part gives in letters, which have values now."""
+"""A greatest or least value, and a bound, that an earlier part gives in letters.
+
+They have values now, or it is to be shown what follows from it.
+"""
 
 from __future__ import annotations
 
@@ -9,9 +12,18 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Line, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Line,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    turned,
+)
 from restitution.expression.quantities import ANGLES
-from restitution.expression.tree import Apply, Expression, Letter, Quantity
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.forms import tree_of
 
@@ -41,6 +53,34 @@ def write_bound_again(claims: Claims, move: Move, asked: Link) -> int | None:
             claims.worths.back(mark)
             continue
         return desk.write(move, (bound, there), whole)
+    return None
+
+
+def write_by_a_bound_above(claims: Claims, claim: Link) -> int | None:
+    """An inequality of a quantity by a bound that an earlier part has, with the values put in.
+
+    None where no other part has one on that side, or where it is too wide.
+    """
+    link = claim if has_quantity(claim.left) else turned(claim)
+    if has_quantity(link.right) or not has_quantity(link.left) or link.sign not in FLIPPED:
+        return None
+    for line in reversed(claims.scene.desk.lines):
+        own = _bound(claims, line)
+        if own is None or own.left != link.left or own.sign[0] != link.sign[0]:
+            continue
+        mark = claims.worths.mark()
+        value, refs = _with_values(claims, own.right)
+        relation, bound = Relation(((claim,),)), line.number
+        if refs and tidy(value - claims.worths.value(link.right)) == 0:
+            last = claims.judge.write(_PUT, [bound, *refs], relation)
+        else:
+            put = Relation(((replace(own, right=tree_of(value)),),))
+            start = claims.judge.write(_PUT, [bound, *refs], put) if refs else bound
+            known = claims.worths.known_in(value)
+            last = start and claims.judge.write((Move("compare"),), [start, *known], relation)
+        if last:
+            return last
+        claims.worths.back(mark)
     return None
 
 
@@ -141,4 +181,4 @@ def _place(claims: Claims, bound: Line) -> int | None:
     return None
 
 
-__all__ = ["write_bound_again"]
+__all__ = ["write_bound_again", "write_by_a_bound_above"]

@@ -436,7 +436,7 @@ def time_of(scene: Scene, number: int) -> Source:
     known = standing(scene, time_tree(number))
     if known is not None:
         return known
-    legs = _legs(scene, number)
+    legs = _legs(scene, number, first)
     if len(legs) == 1:
         return legs[number]
     for moment in sorted(legs)[-2:0:-1]:
@@ -469,7 +469,11 @@ def flight_time(
         known = time_of(scene, stage)  # it is asked: what rests on it comes after it
     if known is not None:
         return tree_of(known.value), known.value, together(begin, known.refs)
-    late, early = _legs(scene, stage), _legs(scene, since)
+    mark = scene.desk.mark()
+    late, early = _legs(scene, stage, since), dict[int, Source]()
+    if not late:
+        scene.desk.back(mark)
+        late, early = _legs(scene, stage, first), _legs(scene, since, first)
     more = [late[key] for key in sorted(late.keys() - early.keys())]
     less = [early[key] for key in sorted(early.keys() - late.keys())]
     tree = difference(
@@ -481,21 +485,20 @@ def flight_time(
     return tree, value, together(refs, *(source.refs for source in (*more, *less)))
 
 
-def _legs(scene: Scene, number: int) -> dict[int, Source]:
-    """The ways on which the time to an event goes by, each by the event at its end."""
-    first, _ = start(scene)
+def _legs(scene: Scene, number: int, first: int) -> dict[int, Source]:
+    """The ways from one event to another, each by the event at its end; none of others' ways."""
     sources: dict[int, Source] = {}
     if number > first:
         # The ways are written in the order of the story.
         known = standing_leg(scene, number)
         since = last_move(scene, scene.bodies(number)[0], number) if known is None else known[0]
         if since > first:
-            _legs(scene, since)
-    while number != first:
+            _legs(scene, since, first)
+    while number > first:
         begin, own = leg(scene, number)
         sources[number] = own
         number = begin
-    return sources
+    return sources if number == first else {}
 
 
 def leg(scene: Scene, number: int) -> tuple[int, Source]:

@@ -35,6 +35,7 @@ from restitution.planning.inequalities.angles_at_ends import write_at_ends
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.comparisons import Comparison
 from restitution.planning.inequalities.extrema import write_extremum
+from restitution.planning.inequalities.extrema_above import write_by_a_bound_above
 from restitution.planning.inequalities.ranges import write_range
 from restitution.planning.routes.determining import determine
 from restitution.planning.routes.items import in_a_frame, is_named
@@ -366,6 +367,9 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                     return Comparison(claims).write(links[0])
                 except NotPlannedError:
                     claims.worths.back(mark)
+            above = write_by_a_bound_above(claims, links[0]) if len(links) == 1 else None
+            if above is not None:
+                return above, relation
             mark = claims.worths.mark()
             try:
                 return claims.write(relation), relation

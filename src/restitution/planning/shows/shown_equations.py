@@ -172,8 +172,11 @@ class ShownEquation(ShownAngles):
         except NotPlannedError:
             self.claims.worths.back(mark)
             return None
+        if len(lines) == 1 and says(self.scene, lines[0], self.link):
+            return lines[0]
         names = self._known(letters(self.link.left) | letters(self.link.right))
-        line = self.judge.write((Move("put"),), [*lines, *names], self.relation)
+        moves = (Move("put"), Move("rearrange"))
+        line = self.judge.write(moves, [*lines, *names], self.relation)
         if line is None:
             self.claims.worths.back(mark)
         return line
