@@ -220,7 +220,7 @@ def _note_pace(step: Step, link: Link, rules: Rules) -> None:
     """
     match link:
         case Link(distance, "=", whole):
-            paces = [way.left for way in terms_of(whole) if is_binary(way, "*")]
+            paces = [term.left for term in terms_of(whole) if is_binary(term, "*")]
         case _:
             return
     if len(paces) < len(list(terms_of(whole))):
