@@ -80,6 +80,8 @@ from restitution.workings.rendering.steps import Row
 
 # No number from here on stands under a root; where data are decimals, none of four figures.
 _NEVER_READ = 10000
+# What has no unit.
+_NOTHING = (lay.Number("0"), lay.ZERO_VECTOR)
 WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
 
@@ -467,9 +469,8 @@ class Chains(ChainsInFigures):
             if degrees is not None:
                 sides.append(self._naming.layout(degrees))
                 signs.append("≈")
-        nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
-        if unit and not nothing and (answered or is_plain(sides[-1])):
+        if unit and (answered or is_plain(sides[-1])) and sides[-1] not in _NOTHING:
             sides[-1] = with_unit(sides[-1], unit)
 
     def _bounded(self, trees: Sequence[Expression], sides: list[lay.Layout]) -> None:

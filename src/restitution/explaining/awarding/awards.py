@@ -137,6 +137,9 @@ class _Awarding:
         self.style: Style = style
         self.justify = justify
         self.lines = {line.number: line for line in derivation.lines}
+        self._cited = {
+            line.number: tuple(derivation.lines_in(line.premises)) for line in derivation.lines
+        }
         self.place = {line.number: n for n, line in enumerate(derivation.lines)}
         self.parts = derivation.asked
         self.ends: dict[int, ItemEnd | None] = {item.line: item for item in derivation.items}
@@ -501,11 +504,9 @@ class _Awarding:
         """The lines below a line."""
         return self.derivation.lines[self.place[line.number] + 1 :]
 
-    def cited(self, line: Line) -> Iterator[Line]:
+    def cited(self, line: Line) -> Sequence[Line]:
         """The lines among the premises of a line."""
-        for ref in line.premises:
-            if isinstance(ref, int) and ref in self.lines:
-                yield self.lines[ref]
+        return self._cited[line.number]
 
     def facts(self, line: Line) -> Iterator[Fact]:
         """The facts among the premises of a line."""

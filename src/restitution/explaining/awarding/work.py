@@ -54,7 +54,7 @@ class Work(Protocol):
     def above(self, line: Line) -> Sequence[Line]:
         """The lines above one."""
 
-    def cited(self, line: Line) -> Iterator[Line]:
+    def cited(self, line: Line) -> Sequence[Line]:
         """The lines that one cites."""
 
     def facts(self, line: Line) -> Iterator[Fact]:

@@ -110,6 +110,14 @@ class Relation:
         return Link(links[0].left, "=", links[-1].right)
 
     @cached_property
+    def subject(self) -> int | None:
+        """A number that two chains of equations share if their first sides are the same.
+
+        None of any other relation.
+        """
+        return None if self.ends is None else hash(self.ends.left)
+
+    @cached_property
     def whole(self) -> Link:
         """From its first side to its last. Raises ValueError where it has alternatives."""
         links = self.only
@@ -147,6 +155,10 @@ class Meaning:
     @property
     def sides(self) -> None:
         """None: it is no equation."""
+
+    @property
+    def subject(self) -> None:
+        """None: it is no chain."""
 
     @cached_property
     def trees(self) -> tuple[Expression, ...]:

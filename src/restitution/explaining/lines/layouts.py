@@ -179,9 +179,10 @@ class Forms:
 
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""
-        if tree not in self._printed:
-            self._printed[tree] = compounds_rebuilt(tree, self._node)
-        return self._printed[tree]
+        own = self._printed.get(tree)
+        if own is None:
+            own = self._printed[tree] = compounds_rebuilt(tree, self._node)
+        return own
 
     def with_whole_fractions(self, tree: Expression, vectors: AbstractSet[str]) -> Expression:
         """A tree in which a part of letters is one fraction, unless more factors follow: 3u²/5.

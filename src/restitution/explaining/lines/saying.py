@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache
 from string import Formatter
 from typing import TypeAlias
@@ -99,13 +99,15 @@ def slots_of(name: SentenceId) -> frozenset[str]:
     return frozenset(slot for _, slot, _ in _pieces(name) if slot is not None)
 
 
-def _spoken(sentence: Sentence) -> Iterator[str | Layout]:
+def _spoken(sentence: Sentence) -> list[str | Layout]:
     slots: Mapping[str, Slot] = dict(sentence.slots)
+    words: list[str | Layout] = []
     for text, slot, how in _pieces(sentence.id):
         if text:
-            yield text
+            words.append(text)
         if slot is not None:
-            yield from _filled(slots[slot], how)
+            words += _filled(slots[slot], how)
+    return words
 
 
 def _filled(slot: Slot, how: str) -> Words:

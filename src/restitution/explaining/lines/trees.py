@@ -145,13 +145,14 @@ def _rebuilt(value: object, change: Callable[[Expression], Expression]) -> objec
 
 
 def of_relation(relation: Relation, change: Callable[[Expression], Expression]) -> Relation:
-    """A relation with each node of its trees changed."""
+    """A relation with each node of its trees changed; the same object where none is."""
+    sides = [rebuilt(tree, change) for tree in relation.trees]
+    if all(map(is_, sides, relation.trees)):
+        return relation
+    own = iter(sides)
     return Relation(
         tuple(
-            tuple(
-                Link(rebuilt(link.left, change), link.sign, rebuilt(link.right, change), link.by)
-                for link in links
-            )
+            tuple(Link(next(own), link.sign, next(own), link.by) for link in links)
             for links in relation.options
         )
     )

@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
-from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity
+from restitution.expression.tree import Binary, Expression, Name, Quantity, plain_letter
 from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.formulas.impacts import (
     after,
@@ -27,7 +27,8 @@ from restitution.vector import Vector
 def _separation_tree(scene: Scene, frame: Frame) -> Expression:
     first, second = scene.bodies(frame.number)
     own, other = (component_letter(scene, body, frame) for body in (second, first))
-    return Binary("-", Letter(own.name), Letter(other.name))
+
+    return Binary("-", plain_letter(own.name), plain_letter(other.name))
 
 
 def separation_known(scene: Scene, frame: Frame) -> Source | None:

@@ -12,6 +12,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    plain_letter,
 )
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import (
@@ -32,7 +33,7 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
         return None
     own = known.value if known.value.is_Symbol else -known.value
     if own.is_Symbol:
-        last = settled(scene, Letter(own.name))
+        last = settled(scene, plain_letter(own.name))
         if last is None or own == known.value or not isinstance(tree, Letter):
             return known  # w = v says it; of w = −v the value is a line
     if known.form is not None and has_ratio_of_a_sum(known.form):

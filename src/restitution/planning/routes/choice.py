@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from itertools import combinations
 
 import sympy as sp
@@ -57,12 +58,18 @@ def points(model: Model) -> tuple[Point, ...]:
     return sample, other
 
 
-def gradient(x: sp.Expr, point: Point) -> dict[sp.Symbol, float]:
+def gradient(x: sp.Expr, point: Point) -> Mapping[sp.Symbol, float]:
     """The partial derivatives of an expression at a point.
 
     Raises ArithmeticError, KeyError or ValueError where it has none there.
     """
-    return _dual(x, point)[1]
+    return _gradient(x, tuple([(symbol, point[symbol]) for symbol in symbols_in(x)]))
+
+
+@lru_cache(maxsize=2048)
+def _gradient(x: sp.Expr, values: tuple[tuple[sp.Symbol, float], ...]) -> dict[sp.Symbol, float]:
+    """The same for the numbers of its own letters: nobody may change what it gives."""
+    return _dual(x, dict(values))[1]
 
 
 def _dual(x: sp.Expr, point: Point) -> _Dual:

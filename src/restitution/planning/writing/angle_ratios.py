@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any, Protocol
 
 import sympy as sp
@@ -361,3 +362,14 @@ def square_of_cosine(scene: Angles, letter: Letter, tangent: Source) -> int:
     by: MoveId = "rearrange"
     relation = chain(squared, (one, None), *((tree, by) for tree in rest))
     return scene.desk.write(Move("rearrange"), (first,), relation)
+
+
+@lru_cache(maxsize=4096)
+def ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbol, ...]]:
+    """The ratios of angles in an expression, and the letters outside of them."""
+    ratios = x.atoms(sp.sin, sp.cos, sp.tan)
+    bare = x.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else x
+    return (
+        tuple(sorted(ratios, key=lambda ratio: ratio.sort_key())),
+        tuple(sorted(bare.free_symbols, key=lambda symbol: symbol.name)),
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import field, replace
+from functools import lru_cache
 from itertools import chain as joined
 from typing import Any
 
@@ -95,10 +96,12 @@ def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
     refs = tuple(dict.fromkeys(joined.from_iterable(groups)))
     if len(refs) < 2:
         return refs
-    return (
-        *(ref for ref in refs if isinstance(ref, str)),
-        *sorted(numbers_in(refs)),
-    )
+    numbers = numbers_in(refs)
+    if not numbers:
+        return refs
+    if len(numbers) == len(refs):
+        return tuple(sorted(numbers))
+    return (*(ref for ref in refs if isinstance(ref, str)), *sorted(numbers))
 
 
 def link(left: Expression, right: Expression, sign: Sign = "=", by: MoveId | None = None) -> Link:
@@ -109,6 +112,12 @@ def link(left: Expression, right: Expression, sign: Sign = "=", by: MoveId | Non
 def is_value_of(link: Link, quantity: Quantity | Letter) -> bool:
     """Whether an equation gives a quantity, as a number or in letters."""
     return (link.left, link.sign) == (quantity, "=") and not has_quantity(link.right)
+
+
+@lru_cache(maxsize=4096)
+def _as_before(relation: Relation) -> Relation:
+    """What a line says, as the object that said it before: that has kept what it was asked for."""
+    return relation
 
 
 def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relation:
@@ -123,7 +132,7 @@ def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relati
             continue
         links.append(Link(last, "=", tree, by if links else None))
         last = tree
-    return Relation((tuple(links),))
+    return _as_before(Relation((tuple(links),)))
 
 
 def _goes_further(one: Relation | Meaning, other: Relation | Meaning) -> bool:
@@ -215,9 +224,10 @@ class Desk:
         """Writes a line, and returns its number. One that stands already is not written again."""
         own = tuple(premises)
         refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
+        subject = relation.subject
         for line in self.lines if move.id not in _LAST else ():
             if (
-                _is_same(line.relation, relation)
+                (line.relation.subject == subject and _is_same(line.relation, relation))
                 or (
                     line.move.id == move.id
                     and line.move == move
@@ -236,6 +246,7 @@ class Desk:
         self, move: Move, refs: tuple[Ref, ...], relation: Relation | Meaning, shown: Showing
     ) -> int:
         number = len(self.lines) + 1
+        relation = _as_before(relation) if isinstance(relation, Relation) else relation
         self.lines.append(Line(number, self.item, move, refs, relation, (), shown))
         self._scopes[number] = common_scope(map(self._scope, refs))
         return number

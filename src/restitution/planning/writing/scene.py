@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any, Literal
 
 import sympy as sp
@@ -33,6 +34,7 @@ from restitution.expression.tree import (
 from restitution.planning.writing.angle_ratios import (
     letter_of_a_ratio,
     ratio_of_a_multiple,
+    ratios_and_letters,
     write_complement,
     write_other_ratio,
     write_ratios,
@@ -53,7 +55,6 @@ from restitution.vector import Vector
 
 # A letter is put in so often, since what is put in for others may hold it.
 _MOST = 4
-_RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,9 @@ class Scene:
     _names: tuple[int, Mapping[str, sp.Symbol]] | None = None
     _worths: dict[Expression, sp.Expr] = field(default_factory=dict)
     _gaps: dict[tuple[Expression, Expression], sp.Expr] = field(default_factory=dict)
-    _values: dict[tuple[str, Expression], Any] = field(default_factory=dict)
+    _values: defaultdict[str, dict[Expression, Any]] = field(
+        default_factory=lambda: defaultdict(dict)
+    )
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -240,10 +243,11 @@ class Scene:
     def _worth_as(self, kind: Literal["value", "vector", "scalar"], tree: Expression) -> Any:
         """What a tree is worth as one kind of value; it is kept while letters are the same."""
         self._named_letters()
-        if (kind, tree) not in self._values:
+        values = self._values[kind]
+        if tree not in values:
             own = self.model.story.evaluator(self.events)
-            self._values[kind, tree] = getattr(own, kind)(tree)
-        return self._values[kind, tree]
+            values[tree] = getattr(own, kind)(tree)
+        return values[tree]
 
     @property
     def first(self) -> Model:
@@ -258,9 +262,10 @@ class Scene:
         if others:
             return self._worth_of(tree, {**self._named_letters(), **others})
         names = self._named_letters()
-        if tree not in self._worths:
-            self._worths[tree] = self._worth_of(tree, names)
-        return self._worths[tree]
+        worth = self._worths.get(tree)
+        if worth is None:
+            worth = self._worths[tree] = self._worth_of(tree, names)
+        return worth
 
     def _worth_of(self, tree: Expression, names: Mapping[str, sp.Symbol]) -> sp.Expr:
         letter = self.model.unknowns.letter
@@ -287,9 +292,10 @@ class Scene:
     def gap(self, left: Expression, right: Expression) -> sp.Expr:
         """What one side of a line is worth more than the other."""
         one, other = self.worth(left), self.worth(right)
-        if (left, right) not in self._gaps:
-            self._gaps[left, right] = one - other
-        return self._gaps[left, right]
+        gap = self._gaps.get((left, right))
+        if gap is None:
+            gap = self._gaps[left, right] = one - other
+        return gap
 
     def velocity(self, body: str, stage: int) -> Vector:
         """A velocity, in letters."""
@@ -310,8 +316,9 @@ class Scene:
         if not symbols_in(own):
             return frozenset()
         state = self.state()
-        if own in self._unknown:
-            return self._unknown[own]
+        open_ = self._unknown.get(own)
+        if open_ is not None:
+            return open_
         open_ = self._unknown_in(self.with_values(own)[0])
         if state == self.state():  # to put values in may write lines
             self._unknown[own] = open_
@@ -367,12 +374,12 @@ class Scene:
         if not symbols_in(own):
             return own, ()
         state = self.state()
-        if own not in self._put:
+        put = self._put.get(own)
+        if put is None:
             put = self._with_values(own)
-            if state != self.state():
-                return put  # to put them in wrote lines
-            self._put[own] = put
-        return self._put[own]
+            if state == self.state():  # to put them in may write lines
+                self._put[own] = put
+        return put
 
     def _with_values(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
         refs: list[Ref] = []
@@ -381,7 +388,7 @@ class Scene:
         refs += whole
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
-            ratios, bare = _ratios_and_letters(own)
+            ratios, bare = ratios_and_letters(own)
             if times and any(times.get(value, 0) >= _MOST for value in bare):
                 raise NotPlannedError("letters that are known by each other")
             for symbol in bare:
@@ -683,17 +690,6 @@ class Scene:
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
         return tree_of(value)
-
-
-@lru_cache(maxsize=4096)
-def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbol, ...]]:
-    """The ratios of angles in an expression, and the letters outside of them."""
-    ratios = x.atoms(*_RATIOS)
-    bare = x.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else x
-    return (
-        tuple(sorted(ratios, key=lambda ratio: ratio.sort_key())),
-        tuple(sorted(bare.free_symbols, key=lambda symbol: symbol.name)),
-    )
 
 
 def _tangent_of(name: str) -> Expression:
