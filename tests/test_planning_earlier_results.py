@@ -405,3 +405,42 @@ def test_a_bound_comes_of_the_greatest_value_above(claim: str) -> None:
     )
     assert "Since e = ½, from (7): speed of C ≤ u/4" in parts["b"]
     assert "k" not in parts["b"]
+
+
+LOST = {
+    "wall": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at -alpha
+P hits W: e = e
+part a
+find energy_lost(P)
+part b
+given e = 1/2, energy_lost(P) = 1/4 m u^2
+find alpha
+""",
+        "Since e = ½, from (1): kinetic energy lost by P = ⅜mu² sin²α ⅜mu² sin²α = ¼mu²",
+    ),
+    "spheres": (
+        """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = e
+part a
+find energy_lost(A)
+part b
+given e = 1/3, energy_lost(A) = 1/3 m u^2
+find tan(alpha)
+""",
+        "Since e = ⅓, from (3): kinetic energy lost by A = (4/9)mu² cos²α",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_a_loss_of_one_sphere_is_put_into_what_was_found(name: str) -> None:
+    statement, lines = LOST[name]
+    parts = worked(statement)
+    assert parts["b"].startswith(lines)
+    assert "before the impact" not in parts["b"]

@@ -442,6 +442,14 @@ def test_that_bodies_move_along_and_across_the_line_of_centres_is_said_once() ->
     assert "moves along the line of centres:" not in shown
 
 
+def test_a_line_of_centres_that_is_told_by_90_degrees_is_along_j() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u at 50°\nsphere B: mass 3m, at rest\n"
+        "A hits B: along 90°, e = 1/3\nshow velocity(A) perpendicular to velocity(B)"
+    )
+    assert "A moves perpendicular to the line of centres, and B, which was at rest" in shown
+
+
 def test_a_reason_is_not_said_again_in_the_next_row() -> None:
     shown = working(
         "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W: e = 1/4\n"

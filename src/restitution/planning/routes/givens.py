@@ -60,7 +60,14 @@ from restitution.planning.routes.energies_compared import energies_in_squares
 from restitution.planning.routes.given_energies import write_share_of_energy
 from restitution.planning.routes.given_times import write_time_since
 from restitution.planning.routes.open_tangents import is_of_open_sense, write_squared_tangent
-from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as, quoted_ratio
+from restitution.planning.routes.quoted import (
+    QUOTED,
+    has_root,
+    quoted,
+    quoted_as,
+    quoted_ratio,
+    quoted_sum,
+)
 from restitution.planning.routes.sizes_resolved import write_resolved_speed
 from restitution.planning.routes.standing_components import write_component_given
 from restitution.planning.writing import place_trees
@@ -145,7 +152,7 @@ def write_given(scene: Scene, given: GivenEquation) -> int:
         return write_sum(scene, given)
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, given)
-    ratio = quoted_ratio(scene, given)
+    ratio = quoted_ratio(scene, given) or quoted_sum(scene, given)
     if ratio is not None:
         return ratio
     if isinstance(own.left, Quantity):

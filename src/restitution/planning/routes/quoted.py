@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Letter,
     Quantity,
     has_quantity,
+    is_binary,
     is_quantity,
     letters,
     quantities_in,
@@ -149,6 +150,33 @@ def has_root(value: sp.Expr) -> bool:
     return any(root.exp.is_Rational and root.exp.q == 2 and root.free_symbols for root in roots)
 
 
+def quoted_sum(scene: Scene, equation: GivenEquation) -> int | None:
+    """What is given of a sum, or of a difference, that a line above has in letters.
+
+    The energy that one sphere loses is a difference, too. The values of letters go in first.
+    """
+    left, right = equation.link.left, equation.link.right
+    if not is_binary(left, "+", "-") or has_quantity(right):
+        return None
+    known = scene.desk.known(left) or _as_answered(scene, left)
+    lines = () if known is None else numbers_in(known.refs)
+    if known is None or len(lines) != 1 or not scene.unknown(known.value):
+        return None
+    value, refs = scene.put(known.value)
+    if has_root(value):
+        return None
+    mark, line = scene.desk.mark(), lines[0]
+    if refs:
+        put = chain(left, (tree_of(value), None))
+        line = scene.judge.write((Move("put"),), (line, *refs), put) or line
+    relation = chain(tree_of(value) if refs else scene.desk.last_link(line).right, (right, None))
+    pool = (line, equation.fact.id, *equation.lets)
+    written = scene.judge.write((Move("combine"),), pool, relation)
+    if written is None:
+        scene.desk.back(mark)
+    return written
+
+
 def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int | None:
     """The same of what stands as a quantity, as its tangent, or as a letter for it."""
     turned = isinstance(subject, Apply) and not isinstance(equation.link.left, Apply)
@@ -237,6 +265,17 @@ def as_shown(scene: Scene, subject: Expression) -> Source | None:
         value = scene.scalar(own.only[-1].right)
         if scene.model.identically_zero(value - known.value):  # type: ignore[union-attr]
             return Source(value, (end.line,))
+    return None
+
+
+def _as_answered(scene: Scene, subject: Expression) -> Source | None:
+    """What an item above says of an expression of quantities, in letters; None without one."""
+    for end in reversed(scene.desk.ends):
+        if not scene.desk.holds(end.line) or len(scene.desk.relation(end.line).options) > 1:
+            continue
+        own = scene.desk.last_link(end.line)
+        if (own.left, own.sign) == (subject, "=") and not has_quantity(own.right):
+            return Source(scene.scalar(own.right), (end.line,))
     return None
 
 

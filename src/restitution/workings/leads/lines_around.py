@@ -34,13 +34,12 @@ from restitution.expression.tree import (
     is_zero,
     letters,
     negated,
-    unsigned,
 )
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.leads.shapes_of_lines import says_something
-from restitution.workings.naming.measured import vector_worth
+from restitution.workings.naming.measured import are_parallel, are_perpendicular, vector_worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.premises import Reasons
@@ -272,12 +271,15 @@ class LinesAround:
     def _kind_at(self, line: Line, kind: str, axis: Expression) -> str:
         """Whether a component is along the line of centres of an event, or across it.
 
-        One along **i** is across a line of centres along **j**.
+        One along **i** is across a line of centres along **j**, or at 90°.
         """
         fact = self._derivation.fact(" ".join(("axis", str(line.move.event))))
-        own = None if fact is None else unsigned(fact.relation.only[-1].right)
-        both = isinstance(axis, Unit) and isinstance(own, Unit)
-        return kind if not both else "along" if axis == own else "across"
+        if fact is None or not isinstance(axis, Unit):
+            return kind
+        own = fact.relation.only[-1].right
+        if are_perpendicular(axis, own):
+            return "across"
+        return "along" if are_parallel(axis, own) else kind
 
     def _came_along(self, line: Line) -> Sentence | None:
         """That the angle of deflection is one to an axis, as the body came along that."""
