@@ -213,7 +213,7 @@ class _Term:
 
 def is_square(tree: Expression) -> TypeGuard[Binary]:
     """Whether a tree is the square of something."""
-    return isinstance(tree, Binary) and tree.op == "^" and tree.right == TWO
+    return is_binary(tree, "^") and tree.right == TWO
 
 
 def _is_square_of_sum(tree: Expression) -> TypeGuard[Binary]:

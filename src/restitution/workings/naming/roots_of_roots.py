@@ -92,7 +92,7 @@ def is_to_be_worked_out(tree: Expression) -> bool:
 
 def is_nested_root(tree: Expression) -> bool:
     """Whether a value is a root below which there is another."""
-    return isinstance(tree, Apply) and tree.function == "sqrt" and has_root(tree.argument)
+    return is_function(tree, "sqrt") and has_root(tree.argument)
 
 
 def has_long_root(tree: Expression, longest: int = _LONG_ROOT) -> bool:
