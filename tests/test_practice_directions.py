@@ -6,6 +6,7 @@ from functools import cache
 from typing import Any
 
 import pytest
+from marked import verdicts
 
 import restitution
 
@@ -156,3 +157,10 @@ def test_a_unit_vector_tells_the_line_of_centres(typed: str, state: str) -> None
     assert (marking.lines[1].verdict == "false") is ("parallel" in typed)
     alone = restitution.mark(restitution.solve(restitution.parse(statement)), typed)
     assert alone.marks.points[-1].state == state
+
+
+def test_the_change_for_a_body_is_one_of_velocity_or_of_momentum() -> None:
+    statement = "sphere A: mass 2, velocity 4i + j\nsphere B: mass 3, velocity -i + 2j\n"
+    statement += "A hits B\ngiven velocity(A) = i + 2j\nfind line_of_centres"
+    lines = ["change for A = -3i + j", "change for A = -6i + 2j", "change for A = -3i + 3j"]
+    assert [verdicts(statement, line) for line in lines] == [["true"], ["true"], ["false"]]

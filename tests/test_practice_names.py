@@ -8,9 +8,9 @@ from marked import solution_of
 import restitution
 
 
-def names(statement: str, *lines: str) -> list[str | None]:
+def names(statement: str, *lines: str, **letters: str) -> list[str | None]:
     """The name of the mistake in each line, None where there is none."""
-    marking = restitution.mark(solution_of(statement), "\n".join(lines)).json()
+    marking = restitution.mark(solution_of(statement), "\n".join(lines), letters=letters).json()
     return [(line["mistake"] or {}).get("id") for line in marking["lines"]]
 
 
@@ -315,3 +315,32 @@ def test_a_square_left_out_of_the_tangent_of_a_deflection_is_no_angle_after() ->
     marking = restitution.mark(solution_of(statement), line, letters={"δ": "deflection(A)"}).json()
     assert marking["lines"][0]["verdict"] == "false"
     assert marking["lines"][0]["mistake"]["id"] == "algebra"
+
+
+def test_a_sign_in_the_momentum_of_a_later_impact_has_its_name() -> None:
+    statement = "sphere A: mass 3, velocity 4i\nsphere B: mass 2, velocity 2i\nwall W: along j\n"
+    statement += "A hits B: along i, e = 1\nB hits W: e = 1/2\nA hits B: e = 1/4\n"
+    statement += "find velocity(A), velocity(B)"
+    letters = {"x": "along(velocity(A, 3), i)", "y": "along(velocity(B, 3), i)"}
+    lines = ["after the wall B has 1/2 x 4.4 = 2.2", "7.2 + 4.4 = 3x + 2y"]
+    assert names(statement, *lines, **letters) == [None, "momentum-sign"]
+
+
+def test_a_blow_given_the_sum_of_two_velocities_has_a_wrong_sign() -> None:
+    statement = "sphere P: mass 3, velocity 2i - j\nP receives 9i + 6j\nfind speed(P)"
+    assert names(statement, "3(v + 2i - j) = 9i + 6j", v="velocity(P, 1)") == ["impulse-sign"]
+    assert names(statement, "3(v - 2i + j) = 9i + 6j", v="velocity(P, 1)") == [None]
+
+
+def test_a_coefficient_whose_square_alone_is_left_out_has_a_name() -> None:
+    statement = "wall W: along i\nsphere P: mass 2, velocity 4i - 5j\nP hits W\n"
+    statement += "given speed(P) = 5\nfind e"
+    assert names(statement, "16 + 25e = 25") == ["square-not-taken"]
+
+
+def test_a_datum_without_its_decimal_point_is_copied_wrongly() -> None:
+    statement = "wall W: along i\nsphere P: mass 0.4, velocity 3i - 5j\nP hits W: e = 0.6\n"
+    statement += "find impulse"
+    marking = restitution.mark(restitution.parse(statement), "I = 4(5 + 3) = 32")
+    assert marking.json()["lines"][0]["mistake"]["id"] == "copied"
+    assert [x.state for x in marking.marks.points][-2:] == ["earned", "lost"]

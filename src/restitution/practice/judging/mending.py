@@ -72,6 +72,14 @@ def _is_datum(part: Expression, data: Collection[Fraction]) -> bool:
     return isinstance(part, Number) and part.value in data
 
 
+def _is_datum_without_point(correction: Correction, data: Collection[Fraction]) -> bool:
+    """Whether the decimal point of a datum has moved by a place: ``3`` for a mass of 0.3."""
+    part, put = correction.part, correction.put
+    if not (isinstance(part, Number) and isinstance(put, Number)) or part.value in data:
+        return False
+    return put.value in data and part.value in (10 * put.value, put.value / 10)
+
+
 def _is_near(entry: Entry, world: World) -> bool:
     """Whether the sides of a claim differ by so little that rounding may be all of it."""
     try:
@@ -92,6 +100,8 @@ def kind_of_slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction])
     if is_turned_loss(entry, judge.base):
         return "sign"
     if any(_stands_above(correction, judge.entries) for correction in mended):
+        return "copied"
+    if any(_is_datum_without_point(x, numbers_of(judge.base.problem)) for x in mended):
         return "copied"
     if is_numeric(claim.left) and is_numeric(claim.right):
         return "sign" if changes == {"sign"} else "arithmetic"

@@ -169,6 +169,7 @@ def is_without_a_square(entry: Entry, world: World) -> bool:
         whole = _square(_product(into, e)), _square(along)
         return (
             Binary("+", _product(into, _square(e)), whole[1]),
+            Binary("+", _product(_square(into), e), whole[1]),
             Binary("+", _product(into, e), whole[1]),
             Binary("+", whole[0], along),
         )

@@ -21,6 +21,8 @@ from restitution.expression.tree import (
     Number,
     Pair,
     Quantity,
+    has_unit_vector,
+    is_binary,
     is_function,
     is_quantity,
     letters,
@@ -168,6 +170,8 @@ def _are_near(own: Expression, wanted: Expression, entry: Entry, world: World) -
 
 def is_impulse_reversed(entry: Entry, world: World) -> bool:
     """Whether a velocity after an impulse is worked out with the impulse in the other sense."""
+    if _adds_velocities(entry, world):
+        return True
     given = (node for tree in trees(world.problem) for node in walk(tree))
     if not any(is_quantity(quantity, "impulse") for quantity in given):
         return False
@@ -184,6 +188,27 @@ def is_impulse_reversed(entry: Entry, world: World) -> bool:
     value: Expression = Binary("-", twice, after)
     value = Negate(value) if inside is not meant else value
     return has_value(value, entry.claim.right, entry, world)
+
+
+def _adds_velocities(entry: Entry, world: World) -> bool:
+    """Whether a blow is given the sum of two velocities: ``2(v + i - 2j) = 6i - 4j``."""
+    for side in (entry.claim.left, entry.claim.right):
+        if not any(is_binary(node, "+") and has_unit_vector(node) for node in walk(side)):
+            continue
+        for name in letters(side) & entry.meanings.keys():
+            match entry.meanings[name]:
+                case Quantity("velocity", _, int(number)) as after if number:
+                    pass
+                case _:
+                    continue
+            if isinstance(world.events[number - 1], Impact):
+                continue
+            twice = Binary("*", Number(Fraction(2)), _at_stage(after, number - 1))
+            put = {Letter(name): Binary("-", after, twice)}
+            left, right = (exchanged(x, put) for x in (entry.claim.left, entry.claim.right))
+            if holds_in(replace(entry, claim=Claim(left, entry.claim.sign, right)), world):
+                return True
+    return False
 
 
 def of_given_impulse(entry: Entry, world: World) -> str | None:

@@ -54,14 +54,17 @@ def is_written_momentum(entry: Entry, world: World) -> bool:
 def has_terms_of_other_sizes(entry: Entry, world: World) -> bool:
     """Whether an equation has as many terms as there are momenta, and other ones.
 
-    In ``4 - 2k = -2 + k`` it is a mass that is left out, and no sign.
+    In ``4 - 2k = -2 + k`` it is a mass that is left out, and no sign. The momenta of any impact
+    may be meant.
     """
+    other = False
     for number, spheres in _pairs_of(world):
         momenta = _momenta(world, number, spheres, Quantity("line_of_centres", (), number))
         alike = _terms_for(momenta or (), entry)
-        if alike is not None:
-            return not _have_sizes(alike, momenta or (), entry, world)
-    return False
+        if alike is not None and _have_sizes(alike, momenta or (), entry, world):
+            return False
+        other = other or alike is not None
+    return other
 
 
 def leaves_out_one_mass(entry: Entry, world: World) -> bool:

@@ -6,14 +6,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
 
+from restitution.explaining.lines.angles import TRIGONOMETRIC
 from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
+    Expression,
     Letter,
     Quantity,
     has_unit_vector,
     is_binary,
     is_function,
+    is_quantity,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Use
@@ -255,10 +259,15 @@ class Grounds:
         )
 
     def _has_no_turn(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line follows from another angle in the place of the deflection."""
+        """Whether a line follows from another angle in the place of the deflection.
+
+        No deflection is put together there, nor one that is given made use of.
+        """
         wrong = (root.mistake for root in self._roots(line))
         other = any(mistake is not None and mistake.id in OF_DEFLECTION for mistake in wrong)
-        return point.principle == "deflection" and other
+        given = point.principle == "condition" and point.link is not None
+        given = given and point.link is not None and is_ratio_of_angle(point.link.left)
+        return other and (given or point.principle == "deflection")
 
     def _is_no_component_of(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line has no velocity in it, or one component alone where a velocity is due.
@@ -275,7 +284,19 @@ class Grounds:
 
     def _is_no_elimination(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line with one unknown only prepares what is solved."""
-        return self._is_of_one_angle(point, line) or self._is_before_condition(point, line)
+        return (
+            self._is_of_one_angle(point, line)
+            or self._is_before_condition(point, line)
+            or self._is_of_other_impact(point, line)
+        )
+
+    def _is_of_other_impact(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line is a law at another impact than those whose laws are solved."""
+        needed = (self.states[name].point for name in point.depends if name in self.states)
+        events = {other.event for other in needed if other.principle in LAWS}
+        own = line.uses[0] if line.uses else None
+        law = own is not None and own.principle in LAWS and own.event is not None
+        return law and own is not None and bool(events - {None}) and own.event not in events
 
     def _is_before_condition(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line needs no condition of the question, which solving puts in."""
@@ -537,6 +558,11 @@ def _is_of_a_law(point: MarkPoint) -> bool:
     if point.letter == "M":
         return point.principle in LAWS
     return point.equation and point.principle in LAWS
+
+
+def is_ratio_of_angle(tree: Expression) -> bool:
+    """Whether a tree is the cosine or the tangent of an angle that a velocity makes."""
+    return is_function(tree, *TRIGONOMETRIC) and is_quantity(tree.argument, *ANGLES)
 
 
 def has_name(line: JudgedLine) -> bool:

@@ -37,7 +37,14 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.marking.sides import Sides, are_close, chains, is_fine, spread_of
+from restitution.practice.marking.sides import (
+    Sides,
+    are_close,
+    chains,
+    is_fine,
+    is_zero,
+    spread_of,
+)
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.worlds.arrays import UnvaluedError, is_bare
 from restitution.problem import Compare, Given, Impact
@@ -101,6 +108,15 @@ _NUMBER_AND_WORD = re.compile(
 )
 
 
+_LISTED = re.compile(r"\b(before|after)\s*[:=]?\s*(\d+)(?![\w.√/])", re.IGNORECASE)
+
+
+def listed_numbers(text: str, *, before: bool) -> frozenset[int]:
+    """The whole numbers that a remark lists as components before or after: ``before 9``."""
+    word = "before" if before else "after"
+    return frozenset(int(own) for at, own in _LISTED.findall(text) if at.lower() == word)
+
+
 def numbers_into_a_wall(text: str, *, before: bool) -> frozenset[int]:
     """The whole numbers that a remark calls components at right angles to a wall: ``2 perp``.
 
@@ -111,9 +127,35 @@ def numbers_into_a_wall(text: str, *, before: bool) -> frozenset[int]:
     return frozenset(int(number) for number, word in pairs if before or word != "into")
 
 
+def sizes_of(quantity: Quantity) -> tuple[Quantity, ...]:
+    """A quantity; for a scalar product the component along its second vector as well."""
+    if quantity.kind != "dot":
+        return (quantity,)
+    return quantity, replace(quantity, kind="along")
+
+
 @dataclass(frozen=True, eq=False)
 class LineContents(Sides):
     """What lines name of spheres and coefficients, list as answers, and add up."""
+
+    def is_product(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line works out the scalar product of a point, over the size of its vector too.
+
+        ``(5i + j).(2i - j)/√5 = 9/√5``: the velocity stands in it by its components.
+        """
+        product = None if point.link is None else point.link.left
+        if not is_quantity(product, "dot"):
+            return False
+        velocity = product.arguments[0]
+        return any(
+            any(
+                is_quantity(node, "dot")
+                and any(self._is_worth(own, velocity, line) for own in node.arguments)
+                for node in walk(chain[0].left)
+            )
+            and any(self._is_worth(chain[0].left, size, line) for size in sizes_of(product))
+            for chain in chains(line)
+        )
 
     def lacks_coefficient(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a point is for the law with a coefficient to be found, and a line is without it.
@@ -139,11 +181,36 @@ class LineContents(Sides):
             for name in letters(tree)
         )
 
+    def carries_of_other(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a true line gives the speed of a sphere other than that of a point.
+
+        It has a component that stays as well, for which there is no point.
+        """
+        link = point.link
+        if link is None or point.principle != "unchanged" or line.verdict != "true":
+            return False
+        part = link.left
+        velocity = next((x for x in quantities_in(part) if x.kind == "velocity"), None)
+        if velocity is None or point.event is None or not is_quantity(part, *COMPONENTS):
+            return False
+        for body in self.bodies_in(line) - set(point.bodies):
+            own = replace(velocity, arguments=(Name(body),))
+            staying = replace(part, arguments=(own, *part.arguments[1:]))
+            given = self.value_of(replace(own, kind="speed"), line) is not None
+            if given and not is_zero(self._base, self._base.value(staying)):
+                return True
+        return False
+
     def has_speeds(self, line: JudgedLine) -> bool:
-        """Whether a letter for a speed after an impact is in a line: ``v cos 75 = u cos 45``."""
+        """Whether a letter for a speed after an impact is in a line, or for an angle after it.
+
+        ``v cos 75 = u cos 45``, ``5 cos b = 10 cos 55``.
+        """
         meanings = self._meanings(line)
         return any(
-            is_quantity(meanings.get(own.name, own) if isinstance(own, Letter) else own, "speed")
+            is_quantity(
+                meanings.get(own.name, own) if isinstance(own, Letter) else own, "speed", "angle"
+            )
             for chain in chains(line)
             for claim in chain
             for own in self.velocities_in(claim, line)

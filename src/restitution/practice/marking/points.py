@@ -75,8 +75,8 @@ class _Examiner(SinglePoints):
         self._require()
         self._imply_what_stands_by_itself()
         points = [self.states[point.id] for point in self.scheme.points]
-        points = self._misread(points)
-        points = self._too_coarse(points)
+        misread = self._misread(points)
+        points = self._too_coarse(points) if misread is None else misread
         return Marks(self.scheme, tuple(points))
 
     def _apply(self) -> None:
@@ -418,7 +418,9 @@ class _Examiner(SinglePoints):
     def _is_sure(self, mark: PointMark) -> bool:
         """Whether a value is true and rests on true lines, with a false one above it."""
         line = self._line(mark.line)
-        if line is None or mark.point.letter == "B" or mark.point.equation:
+        if line is None or mark.point.equation:
+            return False
+        if mark.point.letter == "B" and mark.point.principle != "unchanged":
             return False
         if mark.point.kind == "DM1":
             return False
@@ -448,7 +450,13 @@ class _Examiner(SinglePoints):
                     for name in point.above
                     if self.states[name].point.letter == "M"
                 ]
-            if point.principle == "speed" and self._is_from_wrong_angle(own):
+            turned = point.letter == "M" and point.principle == "angle"
+            by_angle = any(mark.point.principle == "angle" for mark in needed)
+            if point.letter == "A" and by_angle and self._is_from_wrong_angle(own):
+                # Nor is an angle right that comes of a wrong one.
+                above = [self.states[name] for name in point.above]
+                needed = [*needed, *(mark for mark in above if is_for_an_angle(mark.point))]
+            if (turned or point.principle == "speed") and self._is_from_wrong_angle(own):
                 # A speed is put together from components in the same way at any angle.
                 kept = [mark for mark in needed if mark.point.principle not in OF_ANGLES]
                 # No value is right at an angle for which there is a point, and this is lost.
@@ -536,7 +544,7 @@ class _Examiner(SinglePoints):
             if number is None or line.line.number < number
         )
 
-    def _misread(self, points: list[PointMark]) -> list[PointMark]:
+    def _misread(self, points: list[PointMark]) -> list[PointMark] | None:
         """A misread datum: what follows from it is earned, and two A or B are taken away."""
         first = next(
             (
@@ -547,7 +555,7 @@ class _Examiner(SinglePoints):
             None,
         )
         if first is None:
-            return points
+            return None
         through = _Examiner(
             Judgement(tuple(as_true(line) for line in self.lines), ()), self.scheme, self.values
         )

@@ -7,9 +7,9 @@ marked by the one that gives most.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
+from itertools import islice, takewhile
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.awarding.mark_rules import CONCLUDING, UNWRITTEN
@@ -178,21 +178,26 @@ def schemes(
     """
     solved = solution.parts[part]
     known: dict[tuple[tuple[str, str, int | None], ...], Scheme] = {}
+    earlier = tuple(takewhile(lambda other: other is not solved, solution.parts.values()))
+    before: list[MarkPoint] = []
     for route in range(1, ROUTES + 1):
         derivation = awarded(plan(solution, route, partial=True), style)
         points = tuple(_points(derivation, solved))
+        if not known:
+            before = [point for other in earlier for point in _points(derivation, other)]
         key = tuple((point.kind, point.principle, point.event) for point in points)
         if points:
             known.setdefault(key, Scheme(route, points))
-    by_angles = (_by_angles(scheme, solved) for scheme in islice(known.values(), 1))
+    by_angles = (_by_angles(scheme, solved, before) for scheme in islice(known.values(), 1))
     own = (*known.values(), *(scheme for scheme in by_angles if scheme is not None))
     return own or (_of_answers(solved),)
 
 
-def _by_angles(scheme: Scheme, solved: PartSolution) -> Scheme | None:
+def _by_angles(scheme: Scheme, solved: PartSolution, before: Sequence[MarkPoint]) -> Scheme | None:
     """The scheme of a deflection by the angles of both velocities, where these are known.
 
-    A method for an angle of either, one for how they are put together, and the answer.
+    A method for an angle of either, one for how they are put together, and the answer. An angle
+    after that has its method among the points ``before``, of earlier parts, has none here.
     """
     answer = scheme.points[-1]
     laws = {"momentum", "restitution", "unchanged", "impulse"}
@@ -203,10 +208,13 @@ def _by_angles(scheme: Scheme, solved: PartSolution) -> Scheme | None:
             return None
     if len(solved.items) != 1 or laws & {point.principle for point in scheme.points}:
         return None
+    names = tuple(name.name for name in body if isinstance(name, Name))
+    of_angle = ("M", "angle", number, names)
+    if any((x.letter, x.principle, x.event, x.bodies) == of_angle for x in before):
+        return None
     line = Quantity("line_of_centres", (), number)
     after = Apply("tan", Quantity("angle", (Quantity("velocity", body, number), line)))
     turn = Quantity("deflection", body, number)
-    names = tuple(name.name for name in body if isinstance(name, Name))
     first = answer.id.rstrip("0123456789")
     angle = MarkPoint(
         f"{first}1", "M1", _FOR["angle"], "angle", number, names, Link(after, "=", after)
@@ -374,9 +382,12 @@ def _point(
 ) -> MarkPoint:
     move = line.move
     principle = PRINCIPLES.get(move.record or "") or _OF_MOVES.get(move.id, "answer")
+    link = _link(line, derivation)
+    match link:
+        case Link(Apply(_, Quantity("deflection"))) if move.id == "identity":
+            principle = "deflection"  # the tangent of a difference puts the angles together
     answers = end is not None and mark.kind != "M"
     equation = move.id == "law" and mark.kind == "A" and not answers
-    link = _link(line, derivation)
     return MarkPoint(
         name,
         str(mark),

@@ -195,8 +195,11 @@ class Sides:
         """Whether the last decimal that a line gives for a point is wrong in its third figure.
 
         So it is where values rounded too early have led to it: 4.65 for 4.67. A decimal of two
-        figures may be right in these: 7.2 for 7.247.
+        figures may be right in these: 7.2 for 7.247. Of what follows from a misread datum nobody
+        knows.
         """
+        if self.his_own:
+            return False
         value = None if point.link is None else self.value_of(point.link.left, line)
         if point.link is None or value is None or has_unit_vector(value):
             return False

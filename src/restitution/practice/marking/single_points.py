@@ -137,6 +137,9 @@ class SinglePoints(PrincipleLines):
         )
         if lost is None and solving:
             line_of_value = self._elimination(point) or self._worked_out(point)
+            if line_of_value is not None and self._has_no_turn(point, line_of_value):
+                why = "the deflection that is given is not used"
+                return PointMark(point, "lost", line_of_value.line.number, why)
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         tangent = self._by_tangent(point)
@@ -377,6 +380,8 @@ class SinglePoints(PrincipleLines):
                 continue
             if sound and self._is_exchanged(point, line):
                 continue
+            if line.verdict == "false" and self._is_of_other_body_alone(point, line):
+                continue  # what stays is shown for one sphere, and wrong for the other
             if sound and self._is_denied(point) and not self.values.has_velocities(line):
                 continue  # 13 cos α = 12 tells nothing of what stays
             if sound and point.principle == "component" and line.verdict == "follows":
@@ -403,7 +408,15 @@ class SinglePoints(PrincipleLines):
             ),
             None,
         )
+        used = used or next(
+            (x for x in self.lines if x.grounded and self.values.carries_of_other(point, x)), None
+        )
         return value if used is None else self._earned(point, used, "used here")
+
+    def _is_of_other_body_alone(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line speaks of other bodies than a point, for which the scheme has none."""
+        bodies = self.values.bodies_in(line)
+        return bool(bodies and point.bodies) and bodies.isdisjoint(point.bodies)
 
     def _is_unresolved(self, line: JudgedLine) -> bool:
         """Whether a line only gives a speed to which whole speeds have led, without components."""
@@ -624,4 +637,5 @@ class SinglePoints(PrincipleLines):
             return True
         if is_of_what_stays(line):
             return False
-        return self.values.is_solved(line) or self.values.is_eliminated(line, put_in=fewer)
+        solved = self.values.is_solved(line, whole=True)
+        return solved or self.values.is_eliminated(line, put_in=fewer)

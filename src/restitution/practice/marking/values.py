@@ -31,7 +31,12 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.support import is_sum_for_product
 from restitution.practice.marking.alternatives import Alternatives
-from restitution.practice.marking.line_contents import Match, numbers_into_a_wall
+from restitution.practice.marking.line_contents import (
+    Match,
+    listed_numbers,
+    numbers_into_a_wall,
+    sizes_of,
+)
 from restitution.practice.marking.lines import is_slip, ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
@@ -354,16 +359,21 @@ class Values(Alternatives):
     def _match(self, line: JudgedLine) -> Match:
         return "true" if line.verdict == "true" or self.his_own else "own"
 
-    def is_solved(self, line: JudgedLine) -> bool:
-        """Whether a line gives one unknown of the impact, or a multiple of it, a value."""
+    def is_solved(self, line: JudgedLine, whole: bool = False) -> bool:
+        """Whether a line gives one unknown of the impact, or a multiple of it, a value.
+
+        With ``whole`` the value may stand at the end of a chain: ``v = u/tan b = 0.2u``.
+        """
         meanings = self._meanings(line)
+        sides = [(x.left, x.right) for chain in chains(line) for x in chain if x.sign == "="]
+        if whole:
+            equal = (chain for chain in chains(line) if all(x.sign == "=" for x in chain))
+            sides += [(chain[0].left, chain[-1].right) for chain in equal]
         return any(
-            claim.sign == "="
-            and len(set(names_in(claim.left))) == 1
-            and self._changes(claim.left, meanings, line)
-            and self._is_value(claim.right, meanings, line)
-            for chain in chains(line)
-            for claim in chain
+            len(set(names_in(left))) == 1
+            and self._changes(left, meanings, line)
+            and self._is_value(right, meanings, line)
+            for left, right in sides
         )
 
     def is_of_multiples(self, line: JudgedLine) -> bool:
@@ -490,6 +500,8 @@ class Values(Alternatives):
             return False
         if not isinstance(link.left, Quantity) or self.is_direction(point):
             return False
+        if line.verdict == "true" and self.is_product(point, line):
+            return True
         # What is worked out without a name is seen as it stands, and so if wrongly: 0.6 × 8 sin 40.
         bare = bool(line.uses) and all(use.principle == "arithmetic" for use in line.uses)
         worked = slipped or (line.verdict == "true" and bare and not line.line.values)
@@ -499,11 +511,15 @@ class Values(Alternatives):
         at_wall = point.principle in ("component", "restitution") and len(point.bodies) < _SEVERAL
         before = point.principle == "component"
         into = numbers_into_a_wall(line.line.text, before=before) if at_wall else frozenset[int]()
+        if before and line.verdict == "remark":
+            own = (x.stage for x in quantities_in(link.left) if x.kind == "velocity")
+            start = set(own) == {0}
+            into |= listed_numbers(line.line.text, before=start)
         return any(
             any(
                 self._is_worth(value, tree, line)
                 or (is_fine(value) and self._is_rounded_to(value, tree, line))
-                for tree in _sizes_of(link.left)
+                for tree in sizes_of(link.left)
             )
             or self._is_vector_part(value, point, line)
             for value in values
@@ -673,13 +689,6 @@ def _functions(relation: Link | Claim) -> frozenset[str]:
     return frozenset(
         node.function for side in sides for node in walk(side) if isinstance(node, Apply)
     )
-
-
-def _sizes_of(quantity: Quantity) -> tuple[Quantity, ...]:
-    """A quantity; for a scalar product the component along its second vector as well."""
-    if quantity.kind != "dot":
-        return (quantity,)
-    return quantity, replace(quantity, kind="along")
 
 
 def _product(sizes: Sequence[Array], powers: Sequence[int]) -> Array:

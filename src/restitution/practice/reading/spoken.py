@@ -183,7 +183,16 @@ _RATIO_OF = re.compile(r"\b(sin|cos|tan)\s+of\s+(?:the\s+)?(?=angle\b)")
 _TANGENT_OF_WALL = re.compile(
     r"\btan\s+(?:of\s+)?(?:the\s+)?(?:wall\s+angle|angle\s+of\s+(?:the\s+)?wall)(?=\s*[=:])"
 )
-_CHANGE = re.compile(r"\bchange\s+in\s+v(?:(?:_?|\s+(?:of|for)\s+)([A-Z]))?(?=\s*=)")
+_CHANGE = re.compile(
+    r"\bchange\s+(?:in\s+v(?:(?:_?|\s+(?:of|for)\s+)([A-Z]))?|for\s+([A-Z]))(?=\s*=)"
+)
+
+
+def _change_of_velocity(match: re.Match[str], _: Problem) -> str:
+    """A change of velocity by its words; a *change for A* alone may be one of momentum too."""
+    if match[2]:
+        return f"change of {match[2]}"
+    return f"change in velocity of {match[1]}" if match[1] else "change in velocity"
 
 
 def with_labels(line: Plain, problem: Problem) -> Plain:
@@ -480,5 +489,5 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_FORMULA, lambda _, __: ""),
     (_TANGENT_OF_WALL, lambda _, __: "gradient of wall"),
     (_RATIO_OF, lambda match, _: f"{match[1]} "),
-    (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
+    (_CHANGE, _change_of_velocity),
 )
