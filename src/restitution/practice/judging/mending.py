@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -15,10 +16,12 @@ from restitution.expression.tree import (
     Letter,
     Number,
     has_operator,
+    has_unit_vector,
     is_binary,
     is_quantity,
     walk,
 )
+from restitution.practice.judgement import Use
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.entries import (
     Entry,
@@ -30,6 +33,7 @@ from restitution.practice.judging.explained import JudgedSoFar
 from restitution.practice.judging.plain_energies import is_turned_loss
 from restitution.practice.judging.slips import Correction, corrections
 from restitution.practice.reading.phrase_names import is_phrase, is_vague
+from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -78,6 +82,23 @@ def _is_datum_without_point(correction: Correction, data: Collection[Fraction]) 
     if not (isinstance(part, Number) and isinstance(put, Number)) or part.value in data:
         return False
     return put.value in data and part.value in (10 * put.value, put.value / 10)
+
+
+def worked_out(
+    entry: Entry, judge: JudgedSoFar, mended: Iterable[Correction]
+) -> tuple[Claim, tuple[Use, ...]] | None:
+    """A vector that is worked out wrongly, as it would be right, and what the claim then uses.
+
+    A coordinate is decided by what stands on the other side, as no number of an equation is.
+    """
+    claim = entry.claim
+    if not (has_unit_vector(claim.right) and has_operator(claim.left, "+", "-")):
+        return None
+    for correction in mended:
+        if correction.change == "figure" and correction.claim.left == claim.left:
+            right = replace(entry, claim=correction.claim, wrong=False, right=True)
+            return correction.claim, judge.uses_of_entry(right)
+    return None
 
 
 def _is_near(entry: Entry, world: World) -> bool:

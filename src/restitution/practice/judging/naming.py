@@ -43,7 +43,7 @@ from restitution.practice.judging.exchanged_components import (
     is_speed_in_other_ratio,
 )
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
-from restitution.practice.judging.mending import kind_of_slip, mending
+from restitution.practice.judging.mending import kind_of_slip, mending, worked_out
 from restitution.practice.judging.more_usual import more_usual_than
 from restitution.practice.judging.named_results import (
     is_deflection,
@@ -187,6 +187,8 @@ class Names:
         # One figure for another may make any equation true.
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
+        if slip == "arithmetic":
+            claim = worked_out(entry, judge, mended) or claim
         plain = plainly(entry, judge.base, judge.entries, mended)
         if plain == "restitution-inverted" and _is_solved_wrongly(entry, judge):
             plain = None

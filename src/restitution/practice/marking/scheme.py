@@ -197,7 +197,7 @@ def _by_angles(scheme: Scheme, solved: PartSolution, before: Sequence[MarkPoint]
     """The scheme of a deflection by the angles of both velocities, where these are known.
 
     A method for an angle of either, one for how they are put together, and the answer. An angle
-    after that has its method among the points ``before``, of earlier parts, has none here.
+    after that is an answer among the points ``before``, of earlier parts, has no method here.
     """
     answer = scheme.points[-1]
     laws = {"momentum", "restitution", "unchanged", "impulse"}
@@ -209,11 +209,14 @@ def _by_angles(scheme: Scheme, solved: PartSolution, before: Sequence[MarkPoint]
     if len(solved.items) != 1 or laws & {point.principle for point in scheme.points}:
         return None
     names = tuple(name.name for name in body if isinstance(name, Name))
-    of_angle = ("M", "angle", number, names)
-    if any((x.letter, x.principle, x.event, x.bodies) == of_angle for x in before):
-        return None
     line = Quantity("line_of_centres", (), number)
-    after = Apply("tan", Quantity("angle", (Quantity("velocity", body, number), line)))
+    velocity = Quantity("velocity", body, number)
+    for point in before:
+        match point.link:
+            case Link(Quantity("angle", arguments)) if point.item is not None:
+                if velocity in arguments:
+                    return None
+    after = Apply("tan", Quantity("angle", (velocity, line)))
     turn = Quantity("deflection", body, number)
     first = answer.id.rstrip("0123456789")
     angle = MarkPoint(
@@ -384,8 +387,9 @@ def _point(
     principle = PRINCIPLES.get(move.record or "") or _OF_MOVES.get(move.id, "answer")
     link = _link(line, derivation)
     match link:
-        case Link(Apply(_, Quantity("deflection"))) if move.id == "identity":
-            principle = "deflection"  # the tangent of a difference puts the angles together
+        case Link(Apply(_, Quantity("deflection"))) if move.id == "identity" and not depends:
+            # The tangent of a difference puts the angles together, where no line above does.
+            principle = "deflection"
     answers = end is not None and mark.kind != "M"
     equation = move.id == "law" and mark.kind == "A" and not answers
     return MarkPoint(

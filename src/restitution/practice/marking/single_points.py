@@ -381,7 +381,7 @@ class SinglePoints(PrincipleLines):
             if sound and self._is_exchanged(point, line):
                 continue
             if line.verdict == "false" and self._is_of_other_body_alone(point, line):
-                continue  # what stays is shown for one sphere, and wrong for the other
+                continue  # what stays is shown for one sphere, and left out for the other
             if sound and self._is_denied(point) and not self.values.has_velocities(line):
                 continue  # 13 cos α = 12 tells nothing of what stays
             if sound and point.principle == "component" and line.verdict == "follows":
@@ -414,9 +414,10 @@ class SinglePoints(PrincipleLines):
         return value if used is None else self._earned(point, used, "used here")
 
     def _is_of_other_body_alone(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line speaks of other bodies than a point, for which the scheme has none."""
+        """Whether a line speaks of other bodies than a point, and has no component in exchange."""
         bodies = self.values.bodies_in(line)
-        return bool(bodies and point.bodies) and bodies.isdisjoint(point.bodies)
+        other = bool(bodies and point.bodies) and bodies.isdisjoint(point.bodies)
+        return other and not has_name(line)
 
     def _is_unresolved(self, line: JudgedLine) -> bool:
         """Whether a line only gives a speed to which whole speeds have led, without components."""
