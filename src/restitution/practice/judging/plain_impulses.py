@@ -204,7 +204,7 @@ def _adds_velocities(entry: Entry, world: World) -> bool:
             if isinstance(world.events[number - 1], Impact):
                 continue
             twice = Binary("*", Number(Fraction(2)), _at_stage(after, number - 1))
-            put = {Letter(name): Binary("-", after, twice)}
+            put: dict[Expression, Expression] = {Letter(name): Binary("-", after, twice)}
             left, right = (exchanged(x, put) for x in (entry.claim.left, entry.claim.right))
             if holds_in(replace(entry, claim=Claim(left, entry.claim.sign, right)), world):
                 return True
