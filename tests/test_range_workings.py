@@ -487,3 +487,22 @@ find minimum of angle(velocity(A), velocity(B)) over e
     printed = " ".join(to_text(explain(restitution.solve(parse(text)))).split())
     assert "v = −eu cos α" in printed
     assert "2α" in printed
+
+
+def test_a_value_is_put_into_the_form_that_has_its_factors() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+sphere C: mass 9m, at rest
+A hits B: along i, e = e
+B hits C: along i, e = e
+part a
+find maximum of speed(C) over k
+part b
+given e = 1/3
+show speed(C) < k u/4
+"""
+    working = " ".join(to_text(explain(restitution.solve(parse(text)))).split())
+    form = "speed of C = (1 + e)²ku/((1 + k)(9 + k)) ("
+    number = working[working.index(form) + len(form)]
+    assert f"Since e = ⅓, from ({number}): speed of C = 16ku/(9(1 + k)(9 + k))" in working

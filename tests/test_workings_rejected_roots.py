@@ -246,3 +246,16 @@ find energy_lost
     text = to_text(explain(solve(parse(statement))))
     assert "e = ½ is impossible" not in text
     assert "cannot be found, as no value of e is possible." in " ".join(text.split())
+
+
+def test_two_directions_of_a_wall_are_possible_without_an_approach_of_spheres() -> None:
+    text = """
+wall W
+sphere P: mass 2, velocity 3i + j
+P hits W: e = 1/4
+given velocity(P) perpendicular to velocity(P, 0)
+find velocity(P), direction(W)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "(both are possible)" in working
+    assert "spheres" not in working

@@ -18,6 +18,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
     numbers_in,
 )
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -25,7 +26,9 @@ from restitution.expression.tree import (
     Negate,
     Number,
     has_quantity,
+    is_binary,
     is_zero,
+    walk,
 )
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import factors_above
@@ -138,6 +141,8 @@ def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle)
             return derivation
         if same and _subject(derivation.line(form)) != subject:
             continue  # the first line says what the letter is, into which values are put
+        if same and _sums_shared(derivation, line, first) > _sums_shared(derivation, line, form):
+            continue  # it has the factors of the first line, which the form has not
         direct = replace(line, premises=(form, *line.premises[1:]))
         lines = tuple(direct if other == line else other for other in derivation.lines)
         whole = replace(derivation, lines=lines)
@@ -145,6 +150,22 @@ def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle)
         if read.accepts(read.lines[line.number]):
             return whole
     return derivation
+
+
+def _sums_shared(derivation: Derivation, line: Line, form: int) -> int:
+    """How many sums a line has in common with a form of its equation."""
+    own, other = (
+        {
+            node
+            for tree in trees_of(stated.relation)
+            for node in walk(tree)
+            if is_binary(node, "+", "-")
+        }
+        if stated is not None and isinstance(stated.relation, Relation)
+        else set[Expression]()
+        for stated in (line, derivation.line(form))
+    )
+    return len(own & other)
 
 
 def _is_quoted(first: Line | None, line: Line) -> bool:

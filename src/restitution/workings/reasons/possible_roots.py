@@ -48,17 +48,19 @@ def why_possible(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         within = Relation(((Link(ZERO, "<=", e), Link(e, "<=", ONE)),))
         slots = {"equation": equation, "values": outcomes, "bound": within}
         return say("derived.both-give", **{n: naming.relation(own) for n, own in slots.items()})
-    if not bounded and _gives_lines_of_centres(derivation, line):
+    if not bounded and _gives_lines_of_centres(derivation, naming, line):
         return say("derived.both-approach")
     return say("derived.both-positive" if bounded else "derived.both-possible")
 
 
-def _gives_lines_of_centres(derivation: Derivation, line: Line) -> bool:
+def _gives_lines_of_centres(derivation: Derivation, naming: Naming, line: Line) -> bool:
     """Whether the values in a line lead to several lines of centres, each from sphere to sphere."""
+    walls = {number for number, event in naming.events.items() if event.wall}
     below = {n for case in derivation.cases if case.line == line.number for n in case.lines}
     return any(
         isinstance(own.relation, Relation)
-        and is_quantity(own.relation.options[0][0].left, "line_of_centres")
+        and is_quantity(centres := own.relation.options[0][0].left, "line_of_centres")
+        and centres.stage not in walls
         for own in derivation.lines_in(below)
     )
 
