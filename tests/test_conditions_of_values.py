@@ -181,3 +181,35 @@ def test_conditions_are_those_that_a_reader_needs(one, two, asked, condition):
     assert "≠ 0" not in text
     assert "still moving" not in text
     assert condition in text
+
+
+def test_a_condition_that_follows_from_a_result_above_is_not_said() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass n, at rest
+A hits B: along i
+given direction(A) = 90°
+part a
+show n = m/e
+part b
+given speed(A) = u/2
+find alpha
+"""
+    working = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "α = 30°" in working
+    assert "holds for" not in working
+
+
+def test_a_condition_of_where_a_sphere_starts_is_not_said_of_an_angle() -> None:
+    text = """
+wall W: along j, through (0, 0)
+wall V: along j, through (a, 0)
+sphere P: at (x, 0), velocity -u cos(alpha) i + u sin(alpha) j
+P hits W: e = 1/2
+P hits V: e = 1/2
+given angle(velocity(P), W) = arctan(1/4)
+find tan(alpha)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "tan α = 1" in working
+    assert "holds for" not in working

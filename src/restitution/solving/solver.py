@@ -8,10 +8,10 @@ from restitution import work
 from restitution.errors import TimeLimitError, require
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
-from restitution.problem import Compare, Find, Given, Part, Problem, Relation, Show, trees_of_step
+from restitution.problem import Compare, Find, Given, Part, Problem, Relation, Show
 from restitution.solving.asked_letters import in_asked_letters
 from restitution.solving.equations.part import Desk
-from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import PartSolution, Solution
 from restitution.solving.obtuse import with_hints
 from restitution.solving.open_directions import with_open_directions
 from restitution.solving.out_of_order import events_out_of_order
@@ -123,14 +123,13 @@ def _solved_letters(part: PartSolution) -> list[str]:
 def _met_again(part: PartSolution, relations: dict[str, Part]) -> dict[str, str]:
     """Notes of the letters in the answers of a part that had a value in an earlier one only.
 
-    A part in which the facts of the earlier one are given again has its relation too, and one that
-    is asked in terms of a letter says itself that it has it.
+    A part in which the facts of the earlier one are given again has its relation too; one that is
+    asked in terms of a letter, or a claim that names it, says itself that it has it.
     """
     given = _facts(part.part)
     steps = (step for step in part.part.steps if isinstance(step, Find | Show))
     named = {name for step in steps for name in step.in_terms_of or ()}
     met = {name for item in part.items for answer in item.answers for name in answer.letters}
-    met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return {
         letter: f"{letter} was found in part ({relations[letter].label}) from what is given in "
         f"that part alone; {_in_terms_of(part.part.label)} {letter}"
@@ -146,10 +145,3 @@ def _in_terms_of(part: str | None) -> str:
 def is_in_terms(note: str, part: str) -> bool:
     """Whether a note says that a part has a letter which an earlier part found for itself alone."""
     return f"; {_in_terms_of(part)} " in note
-
-
-def _letters_in(item: ItemResult) -> frozenset[str]:
-    """The letters that a claim speaks of."""
-    if not isinstance(item.item, Show):
-        return frozenset()
-    return frozenset().union(*map(letters, trees_of_step(item.item)))

@@ -35,7 +35,7 @@ from restitution.oracle.roles import ACUTE, Role
 from restitution.planning.inequalities.forms_of_ranges import relation_of_condition
 from restitution.planning.inequalities.ranges import general_answer
 from restitution.planning.writing.forms import ONE, tree_of
-from restitution.problem import Extremum, Find, Given, Impact, Range, Value
+from restitution.problem import Extremum, Find, Given, Impact, Range, Value, trees_of_step
 from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -66,7 +66,9 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             if _is_asked(solution, part, item) or _speaks_of_others(solution, item, answers):
                 continue
-            if _are_given(solution, derivation, label, answers):
+            if _are_given(solution, derivation, label, ends[0], answers):
+                continue
+            if _are_of_places(solution, part, answers):
                 continue
             if _is_of_itself(item, answers) or _is_derived(derivation, name, ends, answers):
                 continue
@@ -139,15 +141,58 @@ def _is_infinite_without(tree: Expression, name: str) -> bool:
 
 
 def _are_given(
-    solution: Solution, derivation: Derivation, label: str | None, answers: Sequence[Answer]
+    solution: Solution,
+    derivation: Derivation,
+    label: str | None,
+    last: int,
+    answers: Sequence[Answer],
 ) -> bool:
-    """Whether the statement itself gives the conditions of answers, in the part or for all."""
-    given = tuple(inequalities(derivation, label, lambda side: evaluate(side, sp.Symbol)))
+    """Whether the conditions of answers are given, or follow from results above.
+
+    What the statement gives holds in the part or for all. From *k = 1/e*, which was shown, it
+    follows that *k ≥ 1*.
+    """
+    given = (
+        *inequalities(derivation, label, lambda side: evaluate(side, sp.Symbol)),
+        *_results_above(derivation, last),
+    )
     return bool(given) and all(
         _is_alike(Oracle(roles(solution.problem), given), answer, ())
         for answer in answers
         if answer.condition
     )
+
+
+def _results_above(derivation: Derivation, last: int) -> Iterator[Formula]:
+    """The letters that items above a line have found, or shown, in others."""
+    for end in derivation.items:
+        line = derivation.line(end.line)
+        if end.line >= last or line is None or not isinstance(line.relation, Relation):
+            continue
+        match line.relation.options:
+            case (((Link(Letter(), "=", right)),),) if not has_quantity(right):
+                (link,) = line.relation.only
+                yield compared(evaluate(link.left, sp.Symbol), "=", evaluate(link.right, sp.Symbol))
+
+
+def _are_of_places(solution: Solution, part: PartSolution, answers: Sequence[Answer]) -> bool:
+    """Whether conditions are of lengths in the places alone, which the answers do not have.
+
+    A sphere that starts between two walls has ``h <= d``, whatever is asked.
+    """
+    problem = solution.problem
+    places: list[object] = [sphere.position for sphere in problem.spheres]
+    for wall in problem.walls:
+        places += [wall.through, wall.start, wall.end]
+    own = {name for tree in places if isinstance(tree, Expression) for name in letters(tree)}
+    steps = (*part.part.steps, *(e for e in problem.parts[0].steps if isinstance(e, Given)))
+    asked = {name for step in steps for tree in trees_of_step(step) for name in letters(tree)}
+    asked |= {name for answer in answers for name in answer.letters}
+    conditions = {
+        word for answer in answers for text in answer.condition for word in _names_in(text)
+    }
+    named = {word for word in conditions if not word.isdigit()}
+    return bool(named) and named <= own - asked
 
 
 def is_same(one: Sentence, other: Sentence) -> bool:

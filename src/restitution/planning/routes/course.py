@@ -272,7 +272,8 @@ class Course:
         else:
             source = after(scene, "along", body, frame)
         value = frame.letter_sign * source.value
-        scene.desk.know(Letter(component.symbol.name), value, source.refs)
+        if value != component.symbol:
+            scene.desk.know(Letter(component.symbol.name), value, source.refs)
 
     def _earlier(self, law: Law) -> bool:
         """Whether a component before an impact is still to be worked out."""
