@@ -10,9 +10,12 @@ from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Relation
 from restitution.explaining.lines.notation import read_relation, write_relation
+from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.problem import Problem
+from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain
 from restitution.workings.derived import explanation_of
 from restitution.workings.rendering.document import to_text
 
@@ -166,3 +169,31 @@ def test_who_rests_stays_where_it_is() -> None:
     )
     text = printed(problem, derivation)
     assert "A is at rest, so it stays where it is:\n" in text
+
+
+def in_one_line(text: str) -> str:
+    """The working of a statement as text."""
+    return " ".join(to_text(explain(solve(parse(text)), check=True)).split())
+
+
+def test_a_ball_that_reaches_a_wall_or_another_one_at_0_has_its_centre_said() -> None:
+    text = in_one_line("""
+        sphere A: mass m, velocity 2u j, at (0, -4a), radius 2a
+        sphere B: mass 2m, at rest, at (0, 0)
+        wall W: along i, through (0, 9a)
+        A hits B: e = 1/2
+        find velocity(A), velocity(B)
+        B hits W: e = 1/2
+        A hits B
+        find time(3) - time(1)
+        """)
+    assert "the centre of B is 2a from W, so its y-coordinate is 9a − 2a = 7a." in text
+    assert "their centres are 4a apart, so the y-coordinate of B is then −4a + 4a = 0." in text
+    assert "t₃ − t₂ = 7a/(u/2) = 14a/u" in text
+    text = in_one_line("""
+        wall V: along j, through (12, 0)
+        sphere P: at (1, 1), velocity 5i + 2j, radius 2
+        P reaches V
+        find time(1)
+        """)
+    assert "When P reaches V, its centre is 2 m from V, so its x-coordinate is 12 − 2" in text

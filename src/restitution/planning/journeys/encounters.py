@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Expression, has_quantity
 from restitution.planning.formulas.whereabouts import (
     axis_of_approach,
     contact_of,
@@ -15,7 +15,7 @@ from restitution.planning.formulas.whereabouts import (
 )
 from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import NotPlannedError
-from restitution.planning.writing.forms import difference, swept, total, tree_of
+from restitution.planning.writing.forms import ZERO, difference, swept, total, tree_of
 from restitution.planning.writing.place_trees import AXES, Axis
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Impact
@@ -64,6 +64,8 @@ def with_the_gap(scene: Scene, body: str, number: int, axis: Axis, there: Expres
     gap = tidy(offset_at(scene, body, number, axis))
     if gap == 0:
         return there
+    if not has_quantity(there) and tidy(scene.scalar(there) + gap) == 0:
+        return ZERO
     if scene.model.sign(gap) < 0:
         return swept(difference(there, tree_of(-gap)))
     return swept(total((there, tree_of(gap))))

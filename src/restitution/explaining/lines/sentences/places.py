@@ -216,11 +216,19 @@ SENTENCES: Mapping[str, str] = {
         "At the impact with {wall} the centre of {body} is {radius} from {wall}, so its "
         "{axis}-coordinate is {value}."
     ),
+    "touch.reached": (
+        "When {body} reaches {wall}, its centre is {radius} from {wall}, so its {axis}-coordinate "
+        "is {value}."
+    ),
     "touch.spheres": (
         "{one} approaches {other} in the direction of {way}, and at the impact their centres are "
         "{distance} apart. So {other} is then at {place}."
     ),
     "touch.gap": "When {one} and {other} touch, their centres are {distance} apart.",
+    "touch.gap-to-zero": (
+        "When {one} and {other} touch, their centres are {distance} apart, so the "
+        "{axis}-coordinate of {body} is then {zero}."
+    ),
     "touch.at": "The {position} is {place}.",
     "touch.both-at": "At {event} {bodies:and} are both at {place}.",
     "touch.origin": "The {position} is the origin.",
