@@ -176,9 +176,8 @@ def _sides(derivation: Derivation, naming: Naming, line: Line) -> Iterator[Side]
 
 def _ratios_cited(derivation: Derivation, line: Line) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     """The sines and cosines with their values that a line cites."""
-    for ref in line.premises:
-        cited = derivation.line(ref) if isinstance(ref, int) else None
-        match None if cited is None else cited.relation:
+    for cited in derivation.lines_in(line.premises):
+        match cited.relation:
             case Relation((links,)):
                 for link in links:
                     if link.sign == "=" and is_function(link.left, "sin", "cos"):
