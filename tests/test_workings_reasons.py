@@ -575,6 +575,21 @@ show angle(velocity(P), W) <= alpha
         ),
         ["Kinetic energy lost, by the component that changes:"],
     ),
+    "the sign of a difference from what is claimed has its reasons": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given e < 1/2\nshow impulse = m u sin(alpha) + m u sin(alpha)"
+        ),
+        ["= −(1 − e)mu sin α < 0, as e < ½ and α is acute."],
+    ),
+    "what only grows has a strict bound where it does not stay the same": (
+        (
+            "wall L: along i\nwall M: along i\nsphere P: velocity u at alpha to L\n"
+            "P hits L: e = e1\nP hits M: e = e2\ngiven e1 > 0, e2 > 0\n"
+            "find range of speed(P) in terms of u, alpha"
+        ),
+        ["> u cos α", "e₁ > 0", "e₂ > 0"],
+    ),
     "a direction that is shown has its sense by an acute angle": (
         (
             "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"

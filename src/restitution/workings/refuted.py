@@ -10,7 +10,14 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Link, Note, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Derivation,
+    Link,
+    Note,
+    Relation,
+    Sign,
+)
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import rebuilt, trees_of
@@ -26,7 +33,8 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
-from restitution.oracle import REAL, Oracle, compared
+from restitution.oracle import REAL, Oracle, Role, compared
+from restitution.oracle.roles import ACUTE, COEFFICIENT
 from restitution.planning.writing.forms import (
     ZERO,
     difference,
@@ -397,7 +405,45 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
     differs: SentenceId = (
         "refuted.vector-differs" if plain == "refuted.vector" else "refuted.value-differs"
     )
-    return say(differs, **slots, difference=naming.relation(apart))
+    slots["difference"] = naming.relation(apart)
+    if reasons := tuple(_reasons(apart.only[-1], naming, facts)):
+        slots["difference"] = say("refuted.as", relation=slots["difference"], reasons=reasons)
+    return say(differs, **slots)
+
+
+def _reasons(
+    bound: Link, naming: Naming, facts: tuple[Link, ...]
+) -> Iterator[Sentence | lay.Layout]:
+    """What is given of letters, and which angles are acute, without which a sign is not certain."""
+    known = {
+        name: COEFFICIENT if role.kind == "restitution" else role
+        for name, role in roles(naming.problem).items()
+    }
+    for fact in facts:
+        others = tuple(other for other in facts if other != fact)
+        if not _is_certain(bound, known, others):
+            is_turned = isinstance(fact.left, Number)
+            own = Link(fact.right, FLIPPED[fact.sign], fact.left) if is_turned else fact
+            yield naming.relation(Relation(((own,),)))
+    for name in sorted(letters(bound.left)):
+        if known.get(name) == ACUTE and not _is_certain(bound, {**known, name: REAL}, facts):
+            yield say("derived.acute", angle=naming.layout(Letter(name)))
+
+
+def _is_certain(bound: Link, known: Mapping[str, Role], facts: tuple[Link, ...]) -> bool:
+    """Whether a bound holds for letters of these roles under what is given."""
+
+    def symbol(name: str) -> sp.Symbol:
+        return known.get(name, REAL).symbol(name)
+
+    try:
+        claim, *given = (
+            compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
+            for link in (bound, *facts)
+        )
+    except (RestitutionError, TypeError, ValueError):
+        return False
+    return Oracle(known, tuple(given)).proves(claim)
 
 
 def _with_decimal(value: Expression, naming: Naming) -> lay.Layout:

@@ -89,6 +89,9 @@ def _grows_between(
         if step.oracle.proves(Claim(direction * slope, ">=")):
             if not _is_unbroken(step, value, letter):
                 return False
+            strict = any(len(link.sign) == 1 for link in links)
+            if strict and not _is_steep(step, direction * slope, letter, ends):
+                return False
             return all(
                 _is_worth(step, value, letter, *bound) for bound in bounds if bound is not None
             )
@@ -114,6 +117,17 @@ def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
     )
     oracle = Oracle({**step.roles, **step.setting.roles}, between)
     return all(oracle.proves(Claim(value, "!=")) for value in broken)
+
+
+def _is_steep(step: Step, slope: sp.Expr, letter: sp.Symbol, ends: _Ends) -> bool:
+    """Whether a slope is not zero between the ends: what stays the same is at no strict bound."""
+    signs = {"low": ">", "high": "<"}
+    inside = [
+        compared(letter, signs[which], end)
+        for which, (end, _) in ends.items()
+        if end.is_finite is not False
+    ]
+    return step.oracle.with_facts(inside).proves(Claim(slope, ">"))
 
 
 def _end_of(

@@ -53,6 +53,7 @@ SENTENCES: Mapping[str, str] = {
     "refuted.range": "The range of possible values is not {range}.",
     "refuted.value": "The {quantity} is not {claimed}: it is {value}.",
     "refuted.value-differs": ("The {quantity} is not {claimed}: it is {value}, and {difference}."),
+    "refuted.as": "{relation}, as {reasons:and}",
     "refuted.vector-differs": "{quantity} is not {claimed}: it is {value}, and {difference}.",
     "refuted.value-general": "The {quantity} is not {claimed} in general: it is {value}.",
     "refuted.vector": "{quantity} is not {claimed}: it is {value}.",
