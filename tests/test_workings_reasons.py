@@ -584,11 +584,43 @@ show angle(velocity(P), W) <= alpha
     ),
     "what only grows has a strict bound where it does not stay the same": (
         (
-            "wall L: along i\nwall M: along i\nsphere P: velocity u at alpha to L\n"
+            "wall L: along i\nwall M: along i\nsphere P: velocity 5u at arctan(4/3) to L\n"
             "P hits L: e = e1\nP hits M: e = e2\ngiven e1 > 0, e2 > 0\n"
-            "find range of speed(P) in terms of u, alpha"
+            "find range of speed(P) in terms of u"
         ),
-        ["> u cos α", "e₁ > 0", "e₂ > 0"],
+        ["speed of P > 3u", "e₁ > 0", "e₂ > 0"],
+    ),
+    "a coordinate is that of the other sphere by the line of centres": (
+        (
+            "sphere A: mass 1, radius 1, at (0, 0), velocity 3j\nsphere B: mass 2, radius 1, "
+            "at (10, 12), velocity -v i\nA hits B: along i, e = 1/2\nfind v"
+        ),
+        [
+            "The line of centres is parallel to 𝐢, so at the impact the y-coordinates are\nequal.",
+            "t = 12/3 = 4 s",
+        ],
+    ),
+    "an impulse at an angle is put in by its components": (
+        (
+            "sphere P: mass 2, velocity 3j\nP receives J at theta\n"
+            "given velocity(P) = 2i + 5j\nfind impulse(P), J, theta"
+        ),
+        ["The impulse given to P, from its magnitude and direction:", "J cos θ 𝐢 + J sin θ 𝐣"],
+    ),
+    "a factor of both sides is divided out in words": (
+        (
+            "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+            "A hits B: along i\ngiven deflection(A) = 30°, energy_lost = 1/4 energy(0)\n"
+            "find alpha"
+        ),
+        ["By the difference of two squares:", "Dividing by tan²α + 1:"],
+    ),
+    "one ratio of an angle gives another": (
+        (
+            "wall W: along i\nsphere P: velocity u at alpha to W\ngiven cot(alpha) = 3/4\n"
+            "P hits W: e = 1/2\nfind speed(P)\nshow tan(alpha) > 1"
+        ),
+        ["cot α = ¾\nSo\n", "tan α = 4/3"],
     ),
     "a direction that is shown has its sense by an acute angle": (
         (

@@ -32,6 +32,7 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Polar,
     Quantity,
     Unit,
     has_quantity,
@@ -48,6 +49,7 @@ from restitution.workings.leads.offsets import (
     turned_sentence,
 )
 from restitution.workings.leads.one_component import went_from_rest
+from restitution.workings.leads.rearranged import step_of
 from restitution.workings.leads.scalar_products import slope_title
 from restitution.workings.leads.senses import (
     sense_of_a_change,
@@ -149,6 +151,9 @@ class Leads(Titles):
         moving = self._along_a_velocity(line)
         if moving is not None:
             return (say("centres.along", velocity=self._naming.layout(moving)),)
+        struck = self._by_its_impulse(line)
+        if struck is not None:
+            return (say("given.impulse-turned", body=struck),)
         bodies = self._from_centre_to_centre(line)
         if bodies is not None:
             return (say("centres.between", one=bodies[0], other=bodies[1]),)
@@ -223,6 +228,7 @@ class Leads(Titles):
         if rearranged is not None and line.premises == (rearranged.id,):
             return (say("derived.since", facts=(fact_in_words(self._naming, rearranged),)),)
         own = self._divided(line) or self._of_the_story(line) or self._of_a_sense(line)
+        own = own or step_of(self._derivation, self._naming, line)
         if own is not None:
             return (own,)
         if line.move.id == "identity" and line.move.record in BY:
@@ -337,6 +343,17 @@ class Leads(Titles):
             match None if fact is None else fact.relation.options:
                 case ((Link(Quantity("line_of_centres"), _, Quantity("velocity") as velocity),),):
                     return velocity
+        return None
+
+    def _by_its_impulse(self, line: Line) -> str | None:
+        """The body of which a line has the impulse by its size and its angle, above its value."""
+        for ref in line.premises if line.move.id == "put" else ():
+            fact = self._derivation.fact(str(ref))
+            match None if fact is None else fact.relation.options:
+                case ((Link(Quantity("impulse", (Name(body),)), "=", Polar()),),) if (
+                    isinstance(line.relation, Relation) and line.relation.only[0].sign == "="
+                ):
+                    return body
         return None
 
     def _from_centre_to_centre(self, line: Line) -> tuple[str, ...] | None:

@@ -16,11 +16,13 @@ from restitution.expression.tree import (
     Unit,
     is_quantity,
     is_zero,
+    unsigned,
 )
 from restitution.planning.writing.forms import tree_of
 from restitution.workings.leads.particles import first_with_particles
 from restitution.workings.naming.measured import vector_worth, with_its_unit
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import is_time
 
 
 class Touching:
@@ -44,6 +46,7 @@ class Touching:
             yield say("distance.particles")
         if line.move.record == "straight-line":
             yield from self._where_both_were(line)
+            yield from self._level(line)
         if line.move.record != "distance" or line.move.event is not None:
             return
         assert isinstance(line.relation, Relation)
@@ -85,6 +88,32 @@ class Touching:
                     event = self._naming.called(self._naming.events[number])
                     yield say("touch.both-at", bodies=both, event=event, place=where)
 
+    def _level(self, line: Line) -> Iterator[Sentence]:
+        """Why a body has a coordinate of another one as they collide, by which its time is."""
+        number = line.move.event
+        event = self._naming.events.get(number or 0)
+        axis = self._naming.unit_of(event, "along")
+        across = self._naming.unit_of(event, "across")
+        if event is None or event.wall or axis is None or across is None or not _is_time(line):
+            return
+        others = {body for body in event.bodies if body not in line.move.bodies}
+        for own in self._derivation.lines_in(line.premises):
+            match own.relation:
+                case Relation(
+                    (
+                        (
+                            Link(
+                                Quantity("along", (Quantity("position", (Name(body),), at), side))
+                            ),
+                            *_,
+                        ),
+                    )
+                ) if body in others and at == number and side == unsigned(across):
+                    coordinate = {"i": "x", "j": "y"}[side.axis]
+                    unit = self._naming.layout(unsigned(axis))
+                    yield say("touch.level-then", axis=unit, coordinate=coordinate)
+                    return
+
     def _part(self, line: Line) -> str | None:
         return self._derivation.asked.get(line.item or "")
 
@@ -119,6 +148,11 @@ class Touching:
         layout = self._naming.layout(place if vector is None else tree_of(vector))
         unit = self._naming.unit(Quantity("distance", ()))
         return say("touch.at", position=position, place=with_its_unit(layout, unit))
+
+
+def _is_time(line: Line) -> bool:
+    """Whether a line says what a time is."""
+    return isinstance(line.relation, Relation) and is_time(line.relation.options[0][0].left)
 
 
 def touching_beside(

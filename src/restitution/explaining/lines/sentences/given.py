@@ -44,6 +44,7 @@ SENTENCES: Mapping[str, str] = {
     "given.turned": (
         "It is given that {facts:and}. The velocity, from its magnitude and direction:"
     ),
+    "given.impulse-turned": "The impulse given to {body}, from its magnitude and direction:",
     "given.by-what-changes": "By the component that changes:",
     "given.by-those-that-change": "By the components that change:",
     "given.agrees": "It is also given that {fact}, which agrees with this.",

@@ -203,6 +203,10 @@ SENTENCES: Mapping[str, str] = {
         "The line of centres is parallel to {axis}, so at the impact the {coordinate}-coordinates "
         "are equal:"
     ),
+    "touch.level-then": (
+        "The line of centres is parallel to {axis}, so at the impact the {coordinate}-coordinates "
+        "are equal."
+    ),
     "touch.along": (
         "At the impact the {coordinate}-coordinate of {more} is greater than that of {less} by two "
         "radii, as {approach}:"

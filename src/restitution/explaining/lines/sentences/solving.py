@@ -47,6 +47,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.since-put-values-in": "Since {facts:and}, substituting {letters:and} in {equation}:",
     "derived.since-in": "Since {facts:and}, from {equations:and}:",
     "derived.since-by": "Since {facts:and}, {how}:",
+    "derived.two-squares": "By the difference of two squares:",
     "derived.divided-by": "Dividing by {factor}:",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
     "derived.cancel-positive": "Dividing by {factor}, which is positive as {reasons:and}:",
