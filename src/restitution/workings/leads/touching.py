@@ -98,18 +98,12 @@ class Touching:
             return
         others = {body for body in event.bodies if body not in line.move.bodies}
         for own in self._derivation.lines_in(line.premises):
-            match own.relation:
-                case Relation(
-                    (
-                        (
-                            Link(
-                                Quantity("along", (Quantity("position", (Name(body),), at), side))
-                            ),
-                            *_,
-                        ),
-                    )
-                ) if body in others and at == number and side == unsigned(across):
-                    coordinate = {"i": "x", "j": "y"}[side.axis]
+            left = own.relation.options[0][0].left if isinstance(own.relation, Relation) else None
+            match left:
+                case Quantity("along", (Quantity("position", (Name(body),), at), Unit(side))) if (
+                    body in others and at == number and Unit(side) == unsigned(across)
+                ):
+                    coordinate = {"i": "x", "j": "y"}[side]
                     unit = self._naming.layout(unsigned(axis))
                     yield say("touch.level-then", axis=unit, coordinate=coordinate)
                     return
