@@ -182,17 +182,28 @@ def _nothing_first(
             if side in (None, 0):
                 side = -(state.sign(speed) or 1)
             gap = gap - side * radius * state.size(normal)
-        crossing = state.rational(-gap / speed)
         reason = f"{name} strikes {wall.name} first"
+        # It comes to the wall's line after ``ahead`` ÷ ``whole``.
+        may_vanish = _may_vanish(state, speed)
+        whole = state.rational(speed * speed) if may_vanish else 1
+        ahead = state.rational(-gap * speed if may_vanish else -gap / speed)
         options = [
-            Condition(-crossing, ">=", reason, "place"),
-            Condition(crossing - flight, ">", reason, "place"),
+            Condition(-ahead, ">=", reason, "place"),
+            Condition(ahead - flight * whole, ">", reason, "place"),
         ]
         if isinstance(shape, Segment):
-            share = state.rational((start + velocity * crossing - through).dot(along))
+            share = state.rational(((start - through) * whole + velocity * ahead).dot(along))
             options.append(Condition(-share, ">=", reason, "place"))
-            options.append(Condition(share - along.dot(along), ">=", reason, "place"))
+            options.append(Condition(share - along.dot(along) * whole, ">=", reason, "place"))
         state.conditions.append(AnyOf(tuple(options), reason))
+
+
+def _may_vanish(state: State, speed: Scalar) -> bool:
+    """Whether letters let a sphere move parallel to a wall, or stay: nothing divides by it then."""
+    unknowns = state.unknowns
+    return isinstance(unknowns, Letters) and not unknowns.proved_sign(
+        sp.sympify(speed, strict=True)
+    )
 
 
 def _no_sphere_first(
