@@ -444,3 +444,14 @@ def test_a_loss_of_one_sphere_is_put_into_what_was_found(name: str) -> None:
     parts = worked(statement)
     assert parts["b"].startswith(lines)
     assert "before the impact" not in parts["b"]
+
+
+def test_a_relation_that_was_shown_ties_letters_where_the_same_is_given_again() -> None:
+    parts = worked(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\n"
+        "A hits B: along i, e = e\npart a\ngiven deflection(A) = 90°\n"
+        "show tan^2(alpha) = (k e - 1)/(k + 1)\n"
+        "part b\ngiven deflection(A) = 90°, alpha = 30°\nshow k >= 2\n"
+    )
+    assert parts["b"].startswith("Since α = 30°, from (3): ⅓ = (ke − 1)/(k + 1)")
+    assert "k = 4/(3e − 1) k ≥ 2, as e ≤ 1" in parts["b"]

@@ -167,7 +167,7 @@ class Ties:
         open_ = [scene.put(x)[0] for x in equation.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(equation.fact.id)
-        given = shown or self._of_fact(equation.fact.id)
+        given = (shown and self.with_numbers(shown)) or shown or self._of_fact(equation.fact.id)
         if given is None:
             given = self._as_found(write_given(scene, _as_right_angle(equation)))
         line = self._without_roots(self._neat(given))
@@ -244,13 +244,17 @@ class Ties:
         return numbers, refs
 
     def shown_by(self, ref: Ref) -> int | None:
-        """The equation between letters of the statement that an earlier item shows by a fact."""
-        desk = self.scene.desk
+        """The equation between letters of the statement that an earlier item shows by a fact.
+
+        Another part may be given the same in its own words.
+        """
+        desk, fact = self.scene.desk, self.scene.facts.get(str(ref))
         known = set(roles(self.scene.problem))
+        same = {ref, *(own.id for own in desk.facts if fact and own.relation == fact.relation)}
         free = {value.name for value in self.scene.free}
         for number in desk.shown:
             own = desk.relation(number)
-            if not desk.holds(number) or ref not in desk.under(number) or len(own.options) > 1:
+            if not desk.holds(number) or len(own.options) > 1 or not same & desk.under(number):
                 continue
             link = own.only[-1]
             names = letters(link.left) | letters(link.right)
