@@ -261,6 +261,17 @@ show tan(alpha) = (1 + e)/(e (1 - e))
         ("(1 − e)e sin α = (1 + e) cos α",),
         (),
     ),
+    "a bound of the square of a cosine, by that alone": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = e
+given energy_lost < 1/10 * energy(0)
+show cos^2(alpha) < 1/(5 (1 - e^2))
+""",
+        ("5(1 − e²) cos²α − 1 < 0", "cos²α < 1/(5(1 − e²))"),
+        ("tan",),
+    ),
     "a greatest angle by its sine": (
         """
 sphere A: mass 2m, velocity u at alpha

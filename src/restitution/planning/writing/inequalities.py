@@ -7,13 +7,14 @@ from typing import Any
 import sympy as sp
 
 from restitution.components.verdicts import proved_sign
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
+    Number,
     letters,
 )
 from restitution.planning.writing.forms import difference, negative, product, square, tree_of
@@ -117,6 +118,7 @@ def solve_linear(
     scene: Scene, sign: Sign, x: sp.Expr, wanted: Expression | None = None
 ) -> Link | None:
     """``P sign 0`` solved for the letter or the ratio in it, where it is linear in one."""
+    x = _in_the_wanted_ratio(x, wanted)
     symbols = sorted(x.free_symbols, key=lambda s: s.name)
     names = None if wanted is None else letters(wanted)
     match wanted:
@@ -140,6 +142,26 @@ def solve_linear(
         own = sign if slope > 0 else FLIPPED[sign]
         return Link(tree, own, tree_of(tidy(factored(-b / a))))
     return None
+
+
+def _in_the_wanted_ratio(x: sp.Expr, wanted: Expression | None) -> sp.Expr:
+    """An expression with squares of sines by cosines, or the other way, where a square of those is
+    wanted.
+    """
+    match wanted:
+        case Binary("^", Apply("sin" | "cos" as name, Letter()), Number()):
+            ratios = {ratio.args[0]: ratio for ratio in x.atoms(getattr(sp, name))}
+        case _:
+            return x
+    if len(ratios) != 1:
+        return x
+    ((angle, kept),) = ratios.items()
+    other = sp.sin(angle) if name == "cos" else sp.cos(angle)
+    if not x.has(other) or not x.is_polynomial(kept, other):
+        return x
+    if any(m[1] % 2 for m in polynomial_in(x, kept, other).monoms()):
+        return x
+    return expanded(in_one_ratio(x, kept, other))
 
 
 def is_monic(scene: Scene, x: sp.Expr) -> bool:
