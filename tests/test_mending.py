@@ -30,6 +30,8 @@ BROKEN = {
     "Sphere C: mass 2": "sphere C: mass 2",
     "sphere C: mas 2": "sphere C: mass 2",
     "sphere C: speed 3 at 30°": "sphere C: velocity 3 at 30°",
+    "sphere C: velocity 3 at 60° clockwise from -i": "sphere C: velocity 3 at -60° from -i",
+    "sphere C: velocity 3 at theta clockwise": "sphere C: velocity 3 at -theta",
     "sphere C: speed 3 m/s at 30°": "sphere C: velocity 3 m/s at 30°",
     "sphere C: velocity 3 ms at 30°": "sphere C: velocity 3 m/s at 30°",
     "sphere C: mass = 2, velocity = 3i": "sphere C: mass 2, velocity 3i",
@@ -810,6 +812,15 @@ def test_the_command_shows_the_mended_line(tmp_path) -> None:
     assert "    5 | sphere C, speed 3 at 30°\n" in result.stderr
     assert "  fix | sphere C: velocity 3 at 30°\n" in result.stderr
     assert "  fix | part a\n  fix | find e\n" in result.stderr
+
+
+def test_the_command_shows_a_mended_line_longer_than_a_row(tmp_path) -> None:
+    path = tmp_path / "one.impact"
+    lost = "given A loses 75% of its kinetic energy, energy_lost = 1/4\n"
+    path.write_text(HEAD + lost + "find e\n", encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", str(path)])
+    cure = "energy(A, before) - energy(A) = 75% of energy(A, before), energy_lost = 1/4"
+    assert f"  fix | given {cure}\n" in result.stderr
 
 
 def test_the_command_checks_in_json(tmp_path) -> None:

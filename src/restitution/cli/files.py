@@ -119,7 +119,7 @@ def hint(text: bytes, error: RestitutionError | Note) -> Iterator[str]:
     below = len(lines) - max(edit.end_line for edit in error.fixes[0].edits if _near(edit, error))
     others = len({edit.line for edit in error.fixes[0].edits} - {error.line})
     for line in after[error.line - 1 : len(after) - below]:
-        if len(line) <= _SHOWN:
+        if len(line) <= _COPIED:
             yield f"  fix | {printable(line)}"
     if others:
         yield f"      | and in {counted(others, 'other line')}"
@@ -130,6 +130,8 @@ def _near(edit: Edit, error: RestitutionError | Note) -> bool:
 
 
 _SHOWN = 72
+_COPIED = 200
+"""A cure is shown whole, as it is to be copied: longer than a row of a terminal, up to this."""
 
 
 def _columns(character: str) -> int:

@@ -167,6 +167,11 @@ PROPERTIES: tuple[Slip, ...] = (
         "a direction is told by an angle: 'u at 30°', or 'u at 0° from 3i + 4j'",
     ),
     ("", r"(?P<x>\b(?:anticlockwise|counterclockwise|counter-clockwise))\b", CUT),
+    (
+        "",
+        r"\bat\s+(?:an\s+angle\s+(?:of\s+)?)?(?P<x>(?P<a>\d[\d.]*\s?°|[a-z]+)\s+clockwise)\b",
+        meant("-{a}"),
+    ),
     ("", r"(?P<x>\bclockwise)\b", "angles are anticlockwise: write a negative one"),
     ("", r"\bat\s[^,]*(?P<x>\babove)\b", meant("from")),
     (
