@@ -259,3 +259,18 @@ find velocity(P), direction(W)
     working = " ".join(to_text(explain(solve(parse(text)))).split())
     assert "(both are possible)" in working
     assert "spheres" not in working
+
+
+def test_two_values_that_an_earlier_part_has_are_recalled_in_one_line() -> None:
+    text = """
+wall W
+sphere P: mass 2, velocity 3i + j
+P hits W: e = 1/4
+given velocity(P) perpendicular to velocity(P, 0)
+part a
+find direction(W)
+part b
+find velocity(P)
+"""
+    recalled = "From part (a): 𝐯_P = (½𝐢 − (3/2)𝐣) m s⁻¹ or (−½𝐢 + (3/2)𝐣) m s⁻¹"
+    printed_with(text, (recalled,))

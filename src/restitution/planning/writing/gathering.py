@@ -13,6 +13,7 @@ from dataclasses import replace
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.lines.derivation import (
     Derivation,
+    ItemEnd,
     Line,
     Link,
     Meaning,
@@ -69,20 +70,23 @@ def _with_standing(derivation: Derivation) -> Derivation:
     """The same working with a note for each answer to which an earlier part came already."""
     parts = derivation.asked
     order = list(parts)
+    standing: dict[str, list[ItemEnd]] = {}
+    for end in derivation.items:
+        line = derivation.line(end.line)
+        if line is None or line.item not in parts or end.case is not None:
+            continue
+        if parts[line.item or ""] != end.part:
+            standing.setdefault(end.item, []).append(end)
     notes = [
         Note(
-            end.item,
+            item,
             "standing",
-            order.index(end.item),
-            end.part,
-            premises=(end.line,),
-            claim=end.answer,
+            order.index(item),
+            ends[0].part,
+            premises=tuple(end.line for end in ends),
+            claim=Relation(tuple(dict.fromkeys(o for end in ends for o in end.answer.options))),
         )
-        for end in derivation.items
-        if (line := derivation.line(end.line)) is not None
-        and line.item in parts
-        and end.case is None
-        and parts[line.item or ""] != end.part
+        for item, ends in standing.items()
     ]
     return replace(derivation, notes=(*derivation.notes, *notes)) if notes else derivation
 
