@@ -8,12 +8,14 @@ happen as told (in order, on the wall, nothing struck before) becomes a conditio
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import pairwise
 
 import sympy as sp
 
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
+from restitution.exact.symbols import symbols_in
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, has_quantity, line_and_column
 from restitution.problem import Arrival, Compare, Given, Impact, Wall
@@ -209,39 +211,121 @@ def _may_vanish(state: State, speed: Scalar) -> bool:
 def _no_sphere_first(
     state: State, name: str, partners: tuple[str, ...], flight: Scalar, number: int
 ) -> None:
-    """No sphere is struck before that moves uniformly from a known place; in numbers alone."""
+    """No sphere is struck before that moves uniformly from a known place."""
     own = state.place(name, number - 1)
-    if state.field.exact or own is None:
+    if own is None:
         return
-    radius = state.radius(name)
-    reach = 0 if radius is None else 2 * radius
     left = state.latest(name, number - 1)
     for other, track in state.tracks.items():
         known = state.place(other, number - 1)
         if other == name or other in partners or known is None:
             continue
-        if left is not None and other in left.bodies:
-            continue  # it has just left that sphere
         latest = state.latest(other, number - 1)
+        if left is not None and left is latest:
+            continue  # they have just left each other
         if track.places[-1][0] != (0 if latest is None else latest.number):
             continue  # nobody knows where it has been since
-        state.needs_numbers = True
         v, w = state.velocity(name, number - 1), state.velocity(other, number - 1)
+        if state.field.exact:
+            for start, unless in _starts(state, own[1], known[1]):
+                gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
+                duration = own[1] + flight - start
+                _no_contact_within(state, name, other, gap, v - w, duration, unless)
+            continue
+        state.needs_numbers = True
         start = later(state, own[1], known[1])
         gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
-        approach = v - w
-        ga, ww = gap.dot(approach), approach.dot(approach)
-        if state.sign(ga) != 1:
-            continue
-        under = ga * ga - ww * (gap.dot(gap) - reach * reach)
-        side = state.sign(under)
-        if side == -1 or (side == 0 and radius is not None):
-            continue  # it passes by
-        touch = (ga - (state.field.sqrt(under) if side == 1 else 0)) / ww
-        if state.sign(touch) == 1:
+        touch = _first_touch(state, state.radius(name), gap, v - w)
+        if touch is not None:
             spare = start + touch - (own[1] + flight)
             reason = f"{name} strikes {other} first"
             state.conditions.append(Condition(spare, ">=", reason, "place"))
+
+
+def _first_touch(
+    state: State, radius: Scalar | None, gap: Vector, approach: Vector
+) -> Scalar | None:
+    """After how long two spheres are first in contact, in numbers; None where they pass by."""
+    reach = 0 if radius is None else 2 * radius
+    ga, ww = gap.dot(approach), approach.dot(approach)
+    if state.sign(ga) != 1:
+        return None
+    under = ga * ga - ww * (gap.dot(gap) - reach * reach)
+    side = state.sign(under)
+    if side == -1 or (side == 0 and radius is not None):
+        return None
+    touch = (ga - (state.field.sqrt(under) if side == 1 else 0)) / ww
+    return touch if state.sign(touch) == 1 else None
+
+
+def _starts(state: State, a: Scalar, b: Scalar) -> Iterator[tuple[Scalar, tuple[Condition, ...]]]:
+    """The later of two times in letters, each with the condition that it is not the later one."""
+    sign = _proved_sign(state, a - b)
+    if sign is None or sign >= 0:
+        yield a, () if sign is not None else (Condition(b - a, ">", "", "place"),)
+    if sign is None or sign < 0:
+        yield b, () if sign is not None else (Condition(a - b, ">=", "", "place"),)
+
+
+def _proved_sign(state: State, x: Scalar) -> int | None:
+    unknowns = state.unknowns
+    if not isinstance(unknowns, Letters):
+        return state.sign(x)
+    return unknowns.proved_sign(sp.sympify(x, strict=True), state.conditions)
+
+
+def _no_contact_within(
+    state: State,
+    name: str,
+    other: str,
+    gap: Vector,
+    approach: Vector,
+    duration: Scalar,
+    unless: tuple[Condition, ...],
+) -> None:
+    """Two spheres, a gap apart at first, do not touch within a time, as conditions in letters.
+
+    They do not where they separate or pass by, and where at the end they still approach and are
+    two radii apart.
+    """
+    values = (*gap, *approach, duration)
+    if not any(symbols_in(sp.sympify(x, strict=True)) for x in values):
+        return  # a telling in numbers sees it
+    if contacts.rests_on(values, ()):
+        return  # it is told again with what is found
+    reason = f"{name} strikes {other} first"
+    cross, end = gap.cross(approach), gap - approach * duration
+    radius = state.radius(name)
+    ends = [Condition(end.dot(approach), ">=", reason, "place")]
+    options = [*unless, Condition(-gap.dot(approach), ">=", reason, "place")]
+    if radius is None:
+        options.append(Condition(cross, "!=", reason, "place"))
+    else:
+        reach = 4 * radius * radius
+        passing = cross * cross - reach * approach.dot(approach)
+        options.append(Condition(passing, ">=", reason, "place"))
+        options.append(Condition(reach - gap.dot(gap), ">=", reason, "place"))
+        ends.append(Condition(end.dot(end) - reach, ">=", reason, "place"))
+    options = [replace(option, value=state.rational(option.value)) for option in options]
+    left_open: list[Condition] = []
+    for option in options:
+        holds = _is_met(state, option)
+        if holds:
+            return
+        if holds is None:
+            left_open.append(option)
+    for at_end in ends:
+        at_end = replace(at_end, value=state.rational(at_end.value))
+        if not _is_met(state, at_end):
+            state.conditions.append(AnyOf((*left_open, at_end), reason) if left_open else at_end)
+
+
+def _is_met(state: State, condition: Condition) -> bool | None:
+    """Whether a condition holds for all letters, or for none; None where it depends on them."""
+    sign = _proved_sign(state, condition.value)
+    if sign is None:
+        return None
+    return {">": sign > 0, ">=": sign >= 0, "!=": sign != 0}[condition.relation]
 
 
 def _time_to_circle(
