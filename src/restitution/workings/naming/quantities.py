@@ -368,6 +368,9 @@ class Naming(Moments):
             case Quantity() if (noun := self._noun(tree)) is not None:
                 if KINDS[tree.kind].of_an_event:
                     return self._during(noun, tree)
+                after = isinstance(tree.stage, int) and tree.stage
+                if after and tree.kind == "momentum" and self._is_beside_other_times(tree):
+                    return say("derived.when", quantity=noun, when=self._plain_when(after))
                 return self._after(noun, tree, next(iter(names_of(tree)), None))
             case Quantity(_, _, stage) if stage is not None:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
