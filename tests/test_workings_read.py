@@ -237,7 +237,7 @@ SAYS = [
     ),
     (APART, "centres are ½ m apart. So B is then at −½𝐣 m."),
     (ACROSS_THE_LINE, "angle from 𝐢 to 𝐯_A = −30° + 90° = 60°"),
-    (BALANCE, "From (3) and (4): total momentum after the impact = total momentum before the impact"),
+    (BALANCE, "total momentum after the impact = total momentum before the impact"),
     (SENT_ACROSS, "3mu cos α = 5m(⅜(1 + e)u cos α)"),
     (BLOW_OF_A_SIZE, "As sin²θ + cos²θ = 1: 5 = 16 cos θ"),
     (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),
