@@ -344,3 +344,12 @@ def test_a_datum_without_its_decimal_point_is_copied_wrongly() -> None:
     marking = restitution.mark(restitution.parse(statement), "I = 4(5 + 3) = 32")
     assert marking.json()["lines"][0]["mistake"]["id"] == "copied"
     assert [x.state for x in marking.marks.points][-2:] == ["earned", "lost"]
+
+
+def test_restitution_left_out_at_a_later_wall_has_its_name() -> None:
+    statement = "wall W: along i, through (0, 0)\nwall V: along i, through (0, a)\n"
+    statement += "sphere P: mass m, velocity u at 45° to W\nP hits W: e = e\nP hits V: e = e\n"
+    statement += "given angle(velocity(P), V) = 30°\nfind e"
+    letters = {"w": "speed(P, 2)", "v": "speed(P, 1)", "b": "angle(velocity(P, 1), W)"}
+    lines = ["v sin b = eu/√2", "w cos 30 = u/√2", "w sin 30 = eu/√2"]
+    assert names(statement, *lines, **letters) == [None, None, "restitution-omitted"]

@@ -429,6 +429,26 @@ def _pairs(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
             yield number, (step.first, step.second)
 
 
+def is_rebound_kept(entry: Entry, world: World) -> bool:
+    """Whether the component away from a later wall is that into it: ``w sin 30 = √3eu/2``.
+
+    Of an e that is to be found no other value fits both.
+    """
+    for number, body in world.wall_impacts():
+        if number == 1:
+            continue
+        line = Quantity("line_of_centres", (), number)
+        velocities = (Quantity("velocity", (Name(body),), n) for n in (number - 1, number))
+        into, away = (Apply("abs", Quantity("along", (v, line))) for v in velocities)
+        for one, other in permutations((entry.claim.left, entry.claim.right)):
+            own = "e" in letters(other) and not is_bare(one)
+            sizes = Apply("abs", one), Apply("abs", other)
+            kept = own and has_value(away, sizes[0], entry, world)
+            if kept and has_value(into, sizes[1], entry, world):
+                return True
+    return False
+
+
 SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_coefficient_inverted, "restitution-inverted"),
     (is_equation_inverted, "restitution-inverted"),
@@ -441,5 +461,6 @@ SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_law_of_relative_velocities, "restitution-whole-speed"),
     (is_separation_as_approach, "restitution-omitted"),
     (is_time_by_speed, "speed-for-component"),
+    (is_rebound_kept, "restitution-omitted"),
 )
 """What a line shows by itself, and its name."""
