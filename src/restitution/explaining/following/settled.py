@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 from restitution.explaining.lines.derivation import (
     Derivation,
+    Event,
     Fact,
     Line,
     Link,
@@ -21,20 +23,8 @@ from restitution.expression.tree import (
 def settled_derivation(derivation: Derivation) -> Derivation:
     """The same working, with each velocity numbered by the last event that changed it."""
 
-    def change(tree: Expression) -> Expression:
-        return settled(tree, derivation.events)
-
     def of(relation: Relation | Meaning) -> Relation | Meaning:
-        if all(change(tree) is tree for tree in trees_of(relation)):
-            return relation
-        if isinstance(relation, Meaning):
-            return replace(relation, quantity=change(relation.quantity))
-        return Relation(
-            tuple(
-                tuple(Link(change(e.left), e.sign, change(e.right), e.by) for e in links)
-                for links in relation.options
-            )
-        )
+        return _settled(relation, derivation.events) or relation
 
     def fact_of(fact: Fact) -> Fact:
         own = of(fact.relation)
@@ -53,4 +43,23 @@ def settled_derivation(derivation: Derivation) -> Derivation:
             replace(note, claim=None if note.claim is None else of(note.claim))  # type: ignore[arg-type]
             for note in derivation.notes
         ),
+    )
+
+
+@lru_cache(maxsize=4096)
+def _settled(relation: Relation | Meaning, events: tuple[Event, ...]) -> Relation | Meaning | None:
+    """What a line says, so settled; None where nothing is changed."""
+
+    def change(tree: Expression) -> Expression:
+        return settled(tree, events)
+
+    if all(change(tree) is tree for tree in trees_of(relation)):
+        return None
+    if isinstance(relation, Meaning):
+        return replace(relation, quantity=change(relation.quantity))
+    return Relation(
+        tuple(
+            tuple(Link(change(e.left), e.sign, change(e.right), e.by) for e in links)
+            for links in relation.options
+        )
     )

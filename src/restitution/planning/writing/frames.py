@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.data.paths_and_lines import turn_of_path
 from restitution.explaining.lines.derivation import Fact, Ref
 from restitution.expression.tree import (
@@ -46,10 +47,15 @@ class Frame:
     letter_sign: int
     write: Callable[[], tuple[Ref, ...]] | None = None
 
-    @property
+    @cached_property
     def is_slanted(self) -> bool:
         """Whether the directions are given as vectors beside **i** and **j**."""
         return self.across is None and self.n.x != 0 and self.n.y != 0
+
+    @cached_property
+    def has_letters(self) -> bool:
+        """Whether letters stand in the directions, of which more may be known later."""
+        return any(symbols_in(component) for component in self.n)
 
     @property
     def refs(self) -> tuple[Ref, ...]:

@@ -197,7 +197,7 @@ class Scene:
             else:
                 self.frames[number] = frame_of(self.model, self.facts, number)
         own = self.frames[number]
-        if not any(symbols_in(component) for component in own.n):
+        if not own.has_letters:
             return own
         state = self.state()
         kept, put = self._turned.get(number, (None, own))

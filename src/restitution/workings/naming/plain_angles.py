@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import lru_cache
 
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Relation
 from restitution.expression.tree import (
@@ -88,21 +89,23 @@ def has_ratio_of_a_sum(tree: Expression) -> bool:
     return any(is_sum_with_inverse(ratio.argument) for ratio in ratios_of_numbers(tree))
 
 
-def plain_angles(tree: Expression) -> set[Fraction]:
+@lru_cache(maxsize=4096)
+def plain_angles(tree: Expression) -> frozenset[Fraction]:
     """The numbers of degrees of which ratios, without roots, stand in a value."""
-    return {
+    return frozenset(
         ratio.argument.value
         for ratio in ratios_of_numbers(tree)
         if isinstance(ratio.argument, Degrees) and not has_standard_ratios(ratio.argument.value)
-    }
+    )
 
 
-def ratios_of_numbers(tree: Expression) -> list[Apply]:
+@lru_cache(maxsize=4096)
+def ratios_of_numbers(tree: Expression) -> tuple[Apply, ...]:
     """Sines, cosines and tangents of angles without letters in a value."""
     if RATIOS.isdisjoint(functions_in(tree)):
-        return []
-    return [
+        return ()
+    return tuple(
         node
         for node in walk(tree)
         if isinstance(node, Apply) and node.function in RATIOS and not letters(node)
-    ]
+    )
