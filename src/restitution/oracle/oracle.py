@@ -24,6 +24,7 @@ from restitution.oracle.formula import (
     negation,
     relations,
 )
+from restitution.oracle.least_true import descents
 from restitution.oracle.points import (
     BeyondError,
     Point,
@@ -220,9 +221,11 @@ class Oracle:
             return algebra
         tester = tester_of(claim)
         tried = 0
+        drawn: list[Point] = []
         for first, last in ((0, FEW), (FEW, MANY)):
             for draw in self._drawn(names, first, last):
                 tried += 1
+                drawn.append(draw.point)
                 if tester.holds(draw.point, draw.balls) is False:
                     witness = self._simple(draw.point, (claim,))
                     return Verdict("refuted", "witness", witness, tried)
@@ -232,7 +235,16 @@ class Oracle:
                     return verdict
         if intervals.proves(claim, joined(self.facts), self.roles):
             return Verdict("proved", "intervals", None, tried)
+        if self._plain and isinstance(claim, Relation):
+            for point in descents(claim, self.roles, drawn, self._allows):
+                tried += 1
+                if tester.holds(point) is False:
+                    return Verdict("refuted", "witness", self._simple(point, (claim,)), tried)
         return Verdict("undecided", "undecided", None, tried)
+
+    def _allows(self, point: Point) -> bool:
+        """Whether roles and facts certainly allow a point."""
+        return self._every.holds(point) is True and self.admits(point)
 
     def _all(self, claim: All) -> Verdict:
         decide = self.decide if self._plain else self._decide

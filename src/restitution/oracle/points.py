@@ -487,6 +487,8 @@ def _ball_root(base: Ball, p: int, q: int) -> Ball:
 
 def _ball_function(operation: str, x: Ball) -> Ball:
     middle, error = x
+    if middle == error == 0.0 and operation in ("sin", "cos"):
+        return (0.0 if operation == "sin" else 1.0), 0.0
     if operation in ("sin", "cos"):
         value = math.sin(middle) if operation == "sin" else math.cos(middle)
         return value, error + 2 * _EPSILON
