@@ -12,6 +12,7 @@ from restitution.language import parse
 from restitution.oracle import Oracle, Relation
 from restitution.oracle.roles import ACUTE, COEFFICIENT
 from restitution.solving import ItemResult, solve
+from restitution.workings import explain, to_text
 
 SPHERES = """sphere A: mass 2m, velocity u at alpha
 sphere B: mass 2m, at rest
@@ -80,3 +81,16 @@ def test_what_does_not_fail_anywhere_stays_so() -> None:
     assert verdict.answer == "refuted"
     assert verdict.witness is not None
     assert float(verdict.witness["e"]) * math.sin(2 * float(verdict.witness["alpha"])) > 0.996
+
+
+@pytest.mark.parametrize(
+    ("bound", "end"),
+    [
+        ("27.03", "δ ≈ 27.032°, which is more than 27.03°"),
+        ("10", "≈ 24.4°, which is more than 10°"),
+    ],
+)
+def test_an_angle_has_as_many_figures_as_tell_it_from_a_bound(bound: str, end: str) -> None:
+    """The greatest deflection is arcsin(5/11) = 27.0356…°."""
+    text = to_text(explain(solve(parse(SPHERES.format(e="1/4", bound=bound)))), 80)
+    assert end in " ".join(text.split())

@@ -53,6 +53,8 @@ _SIGNS: Mapping[str, Callable[[float, float], bool]] = {
     ">": lambda a, b: a > b,
     ">=": lambda a, b: a >= b,
 }
+# An angle is printed to so many figures; to no more than the other number where that is too few.
+_FIGURES, _MOST_FIGURES = 3, 16
 _NEAR = 1e-9
 
 
@@ -309,25 +311,33 @@ class _Refutation:
     def _sides(self, trees: Iterable[Expression], numbers: Mapping[str, sp.Expr]) -> Iterator[Link]:
         """What the sides are worth with the numbers; those that are numbers are not said.
 
-        Of a value that is claimed to some figures, as a decimal.
+        Of a value that is claimed to some figures, as a decimal; so an angle that is near a bound.
         """
+        trees = tuple(dict.fromkeys(trees))
         figures = getattr(self.item.relation, "figures", None)
-        for tree in dict.fromkeys(trees):
-            if not letters(tree) and not has_quantity(tree):
+        bounds = [tree for tree in trees if not letters(tree) and not has_quantity(tree)]
+        for tree in trees:
+            if tree in bounds:
                 continue
             if figures is not None:
-                yield Link(tree, "≈", self._rounded(tree, figures))
+                yield Link(tree, "≈", self._rounded(tree, figures, {}))
                 return
             value = self._value(tree, numbers)
             if not has_quantity(tree) and value == self.scene.value(tree):
                 yield Link(tree, "=", tree)
                 continue
             angle = isinstance(value, sp.Basic) and self._is_angle(tree)
-            yield Link(tree, "=", tree_of(value, angle=angle))
+            apart = _figures_apart(value, self._value(bounds[0], {})) if angle and bounds else None
+            if apart is not None:
+                yield Link(tree, "≈", self._rounded(tree, apart, numbers))
+            else:
+                yield Link(tree, "=", tree_of(value, angle=angle))
 
-    def _rounded(self, tree: Expression, figures: int) -> Expression:
+    def _rounded(
+        self, tree: Expression, figures: int, numbers: Mapping[str, sp.Expr]
+    ) -> Expression:
         """What a side is worth, its number to some figures."""
-        value = self._value(tree, {})
+        value = self._value(tree, numbers)
         if isinstance(value, Vector):
             raise NotPlannedError("a vector to some figures")
         angle = self._is_angle(tree)
@@ -400,6 +410,16 @@ class _Refutation:
             return None
         value = sp.sympify(value, strict=True)
         return float(value.xreplace(dict.fromkeys(value.free_symbols, sp.Integer(1))))
+
+
+def _figures_apart(angle: sp.Expr, bound: sp.Expr) -> int | None:
+    """How many figures tell an angle in degrees from a bound; None where the usual ones do."""
+    if not (angle.is_number and bound.is_number) or sp.deg(angle).is_Rational:
+        return None
+    for figures in range(_FIGURES, _MOST_FIGURES):
+        if str(sp.N(sp.deg(angle), figures)) != str(sp.N(sp.deg(bound), figures)):
+            return figures if figures > _FIGURES else None
+    return None
 
 
 def _plain(x: sp.Expr) -> sp.Expr:
