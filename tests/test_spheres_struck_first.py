@@ -99,3 +99,21 @@ find time(3)
     assert not is_possible(text.format("W"))
     solution = restitution.solve(restitution.parse(text.format("B")))
     assert str(solution) == "time(3) = 11/2"
+
+
+def test_events_of_different_bodies_may_come_in_another_order() -> None:
+    text = """wall W: along j, through (10, 0)
+wall U: along j, through (0, 0)
+sphere P: mass 1, at (1, 5), velocity {v} i
+sphere Q: mass 1, at (5, -5), velocity -i
+P hits W: e = 1
+Q hits U: e = 1
+"""
+    numbers = restitution.solve(restitution.parse(text.format(v=1) + "find time(1)\n"))
+    assert str(numbers) == "time(1) = 9"
+    assert "in the order of time" in numbers.warnings[0]
+    letters = (
+        text.format(v="v") + "find range of v\npart b\ngiven time(1) <= time(2)\nfind range of v"
+    )
+    solution = restitution.solve(restitution.parse(letters))
+    assert str(solution) == "range of v = v > 0\n(b) range of v = v ≥ 9/5 (v ≥ 1.80)"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -142,6 +142,7 @@ def _range_of_letter(
         outcome = desk.outcome(setting)
         values = values_in(name, outcome.accepted)
         if values is not sp.S.EmptySet:
+            _require_visible(outcome, symbol_names(values))
             return [(values, ())], "algebra"
         free = _free(outcome, in_terms_of) - {name}
         tied = _tied_to_data(desk, name, in_terms_of, outcome)
@@ -163,7 +164,7 @@ def _range_of_letter(
             halves := forms_by_signs(region)
         ):
             return _by_sign(outcome, region.trials[0], region, halves)
-        return _by_case(several, region.roles)
+        return _by_case(outcome, region, several)
     if values is sp.S.EmptySet:
         return [(fixed_values(desk, name, setting), ())], "algebra"  # the facts alone fix it
     if region.proof == "undecided" and (halves := forms_by_signs(region)):
@@ -171,7 +172,8 @@ def _range_of_letter(
     if not _is_general(region, values):
         several = cases(region)
         if len(several) > 1:
-            return _by_case(several, region.roles)
+            return _by_case(outcome, region, several)
+    _require_visible(outcome, symbol_names(values))
     return [(values, range_limitations(outcome, region, values))], region.proof
 
 
@@ -214,8 +216,38 @@ def _is_general(region: Region, values: sp.Set) -> bool:
     return all(oracle.decide(claim).answer != "refuted" for claim in claims)
 
 
-def _by_case(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[Form], Proof]:
-    """The values in each case with what it asks of the data, and what they all rest on."""
+def _by_case(outcome: Outcome, region: Region, several: Sequence[Case]) -> tuple[list[Form], Proof]:
+    """The values in each case with what it asks of the data, and what they all rest on.
+
+    A hidden unknown may have any of its values: where one case has all that a letter may be, these
+    are the values.
+    """
+    hidden = {case.letter for case in several if case.letter.startswith("_")}
+    whole = _all_values(region.role)
+    every = next((case for case in several if hidden and to_set(case.pieces) == whole), None)
+    if every is not None:
+        return [(whole, ())], every.proof
+    _require_visible(outcome, hidden.union(*(symbol_names(to_set(c.pieces)) for c in several)))
+    return _with_bounds(several, region.roles)
+
+
+def _all_values(role: Role) -> sp.Set:
+    """What a letter may be by its role."""
+    low = -sp.oo if role.low is None else role.low
+    high = sp.oo if role.high is None else role.high
+    return sp.Interval(low, high, not role.closed[0], not role.closed[1])
+
+
+def _require_visible(outcome: Outcome, names: Iterable[str]) -> None:
+    """Raise MissingError where a range rests on what the text leaves open."""
+    phrases = outcome.letters.phrases
+    hidden = sorted({phrases.get(name, name) for name in names if name.startswith("_")})
+    if hidden:
+        raise missing.needs("the range", hidden)
+
+
+def _with_bounds(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[Form], Proof]:
+    """The values in each case with the bounds of the letter of the data."""
     forms: list[Form] = []
     for case in several:
         bounds = bounds_of(case.letter, case.values, roles)
@@ -311,9 +343,7 @@ def _range_of_quantity(
     free -= set(in_terms_of or ())
     if not free:
         return [(sp.FiniteSet(*[value for _, value in values]), ())], angle, "algebra"
-    if any(name.startswith("_") for name in present):
-        hidden = min(name for name in present if name.startswith("_"))
-        raise missing.needs("the range", [outcome.letters.phrases.get(hidden, hidden)])
+    _require_visible(outcome, present)
     image, proof = _image(outcome, values, sorted(free), angle)
     return image, angle, proof
 
@@ -385,7 +415,8 @@ def _image(
             several = [] if len(own_cases := cases(image)) < 2 else own_cases
             limits = defined(outcome, trial, one.args[:2])
         if several and len(values) == 1:
-            return _by_case(several, image.roles)
+            _require_visible(outcome, (case.letter for case in several))
+            return _with_bounds(several, image.roles)
         if several:
             raise UnsupportedError("the form of the range depends on the values of the data")
         sets.append(one)

@@ -12,7 +12,12 @@ from types import MappingProxyType
 import sympy as sp
 
 from restitution import exact
-from restitution.errors import ContradictionError, UnboundedError, UnsupportedError
+from restitution.errors import (
+    ContradictionError,
+    ImpossibleError,
+    UnboundedError,
+    UnsupportedError,
+)
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import (
@@ -65,6 +70,7 @@ from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.ranges.validity import Limitation, bounds_of, defined, with_condition
 from restitution.solving.story.admission import Admission, Demand
 from restitution.solving.story.letters import is_angle
+from restitution.solving.story.unknowns import Letters
 
 Extreme = tuple[Candidate, bool, Enclosed, Sample]
 """The best candidate, whether it is reached, its value at some data, and these data."""
@@ -120,7 +126,8 @@ def find_extremum(
     if reached and not place.is_infinite:
         limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
     elsewhere = _elsewhere(own, values[id(trial)], name, (candidate, reached), data, sign)
-    limits = tuple({limit.text: limit for limit in (*limits, *elsewhere)}.values())
+    existing = _where_it_is_defined(own, item, now)
+    limits = tuple({limit.text: limit for limit in (*limits, *elsewhere, *existing)}.values())
     assert answer.layout is not None
     answer = with_condition(answer, answer.layout, limits)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
@@ -333,6 +340,49 @@ def _elsewhere(
         if tuple(kept) != role.closed:
             piece = End(role.low, kept[0]), End(role.high, kept[1])
             yield bounds_of(coefficient, to_set([piece]), region.roles)
+
+
+def _where_it_is_defined(outcome: Outcome, item: Extremum, now: int) -> Iterator[Limitation]:
+    """That coefficients of the data are not at ends of their ranges for which there is no quantity.
+
+    A ball that comes to rest in a corner with e = 0 has no deflection.
+    """
+    assert isinstance(item.over, Letter)
+    region = Region(outcome, item.over.name)
+    (trial,) = outcome.trials
+    for coefficient in region.data():
+        role = region.roles[coefficient]
+        if role.kind != "restitution" or role.low is None or role.high is None:
+            continue
+        symbol = role.symbol(coefficient)
+        kept = [
+            closed and _exists_at(region, trial, item, now, {symbol: end})
+            for end, closed in zip((role.low, role.high), role.closed, strict=True)
+        ]
+        if tuple(kept) != role.closed:
+            piece = End(role.low, kept[0]), End(role.high, kept[1])
+            yield bounds_of(coefficient, to_set([piece]), region.roles)
+
+
+def _exists_at(
+    region: Region, trial: Trial, item: Extremum, now: int, put: Mapping[sp.Symbol, sp.Expr]
+) -> bool:
+    """Whether a quantity has a value for this value of a letter, or the letter may not have it."""
+    setting, root = region.outcome.setting, trial.root
+    values = {name: value.xreplace(put) for name, value in root.values.items()}
+    angles = {name: (c.xreplace(put), s.xreplace(put)) for name, (c, s) in root.angles.items()}
+    values |= {symbol.name: value for symbol, value in put.items()}
+    try:
+        story = setting.tell(Letters(setting.roles, values, angles))
+    except ImpossibleError:
+        return True
+    try:
+        story.evaluator(now).value(item.expression)
+    except ImpossibleError:
+        facts = () if region.formula is None else (region.formula,)
+        differs = joined(Relation(symbol - value, "!=") for symbol, value in put.items())
+        return bool(Oracle(region.roles, facts).decide(differs))
+    return True
 
 
 def _is_best_at(
