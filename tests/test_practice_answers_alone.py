@@ -112,7 +112,7 @@ def test_components_listed_with_a_factor_are_no_equation() -> None:
 def test_an_angle_of_a_deflection_is_a_method_though_the_sum_is_wrong() -> None:
     lines = ("tan β = 0.6 tan 35, β = 22.8°", "turned through 35 - 22.8 = 12.2°")
     marks = marked(WALL, "b", *lines)["marks"]
-    assert (marks["earned"], marks["of"]) == (1, 3)
+    assert (marks["earned"], marks["of"]) == (0, 2)  # part (a) has the marks of this angle
     lines = ("arctan(1/2) = 26.6 and arctan(1/6) = 9.46", "deflection = 26.6 + 9.46 = 36.0")
     found = marked(PAIR, "b", *lines)
     assert said(found)[1] == "false"
