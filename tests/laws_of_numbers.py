@@ -51,7 +51,10 @@ def numbers_for_letters_give_the_same(path: Path) -> None:
 
 def draws(path: Path) -> Iterator[tuple[str | None, dict[str, str]]]:
     """Parts that have letters in their answers, and numbers for all of these."""
-    coefficients = set(re.findall(r"\be = ([a-z]\d?)\b", path.read_text(encoding="utf-8")))
+    text = path.read_text(encoding="utf-8")
+    coefficients = set(re.findall(r"\be = ([a-z]\d?)\b", text))
+    # A letter that has a value stands in an answer where that is asked in terms of it.
+    valued = set(re.findall(r"^given (\w+) = ", text, re.MULTILINE))
     whole = contract.solved(path.name, solved(path))
     items = [item for part in whole["parts"] for item in part["items"]]
     asked = {word for item in items for word in names(item["text"].removeprefix("range of "))}
@@ -65,7 +68,11 @@ def draws(path: Path) -> Iterator[tuple[str | None, dict[str, str]]]:
             for name in names(expression)
         }
         random = Random(f"{path.stem}{part['part']}")
-        if letters and not letters & asked:
+        if (
+            letters
+            and not letters & asked
+            and not {name.replace("_", "") for name in letters} & valued
+        ):
             for _ in range(DRAWS):
                 yield (
                     part["part"],

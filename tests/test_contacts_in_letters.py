@@ -56,7 +56,7 @@ def test_what_holds_for_all_letters_has_no_condition() -> None:
 
 def test_a_working_says_for_which_letters_it_holds() -> None:
     text = to_text(explain(solve(parse(POCKET.format(b="b", h=9)))))
-    assert "This holds for b > 2(√37 − 4)/3 only." in text
+    assert "As A has to move towards B to hit it, this holds for b > 2(√37 − 4)/3 only." in text
 
 
 def test_no_value_is_called_the_only_one_where_contacts_were_left_out() -> None:
