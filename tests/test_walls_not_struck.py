@@ -111,3 +111,20 @@ find range of time(2)"""
     )
     assert item.answers[0].value == sp.Interval(2, sp.Rational(5, 2))
     assert item.proof != "undecided"
+
+
+def test_a_range_of_a_distance_from_where_spheres_meet_again() -> None:
+    """A keeps (1 − e) of 3, B has (1 + e); B comes back with e of it, from 10, and meets A at x."""
+    item = only(
+        """point O: (0, 0)
+wall W: along j, through (10, 0)
+sphere A, B: mass 3
+sphere A: at (0, 0), velocity 6i
+sphere B: at (4, 0), at rest
+A hits B
+B hits W
+A hits B
+find range of distance(A, O)"""
+    )
+    # x = 10 − 12e²/(1 + e²): with e = 1, A rests at 4.
+    assert item.answers[0].value == sp.Interval.Ropen(4, 10)

@@ -104,7 +104,8 @@ class Polynomials:
             self._collect(value)
         for atom in list(self._divisors):
             self._collect_atom(atom)
-        self.ring = PolyRing([name for _, name in self._order] or ["_"], QQ)
+        # Symbols, as a name of two words would be read as two.
+        self.ring = PolyRing([sp.Symbol(name) for _, name in self._order] or ["_"], QQ)
         self._generators = dict(zip((n for _, n in self._order), self.ring.gens, strict=False))
         self._quotients: dict[sp.Expr, Quotient] = {}
         self.relations: list[PolyElement] = []
