@@ -46,11 +46,11 @@ CLAIMS = {
     ),
     "a value that is always another one, by the difference of squares": (
         WALL + "given 0 < e < 1\nshow speed(S) = e v",
-        "and v²(cos²θ + e² sin²θ) − e²v² = v²(1 − e²) cos²θ > 0.",
+        "and v²(cos²θ + e² sin²θ) − e²v² = v²(1 − e²) cos²θ > 0, as e < 1 and θ is acute.",
     ),
     "an impulse that is always another one, by the difference": (
         WALL + "given 0 < e < 1\nshow impulse = 3(1 - e) m v sin(theta)",
-        "and 3(1 + e)mv sin θ − 3(1 − e)mv sin θ = 6emv sin θ > 0.",
+        "and 3(1 + e)mv sin θ − 3(1 − e)mv sin θ = 6emv sin θ > 0, as e > 0 and θ is acute.",
     ),
     "an inequality": (
         OBLIQUE + "show energy_lost > 1/2 energy(0)",
