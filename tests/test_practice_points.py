@@ -308,6 +308,45 @@ def test_how_a_wall_lies_is_a_claim(line: str, verdict: str) -> None:
     assert verdicts(SLANTING, line) == [verdict]
 
 
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("angle of wall: 63.4° to i", "true"),
+        ("wall is inclined at 26.6° to j", "true"),
+        ("the angle of W = 63.4°", "true"),
+        ("angle of the wall = 26.6°", "true"),
+        ("angle of wall = tan⁻¹(2) = 63.4° to the x axis", "true"),
+        ("angle of wall: 63.4° to j", "false"),
+        ("wall at 18.4° to i", "false"),
+        ("angle of the wall: 53.1°", "false"),
+    ],
+)
+def test_the_angle_of_a_wall_is_to_the_axis_that_is_named_or_to_either(
+    line: str, verdict: str
+) -> None:
+    assert verdicts(SLANTING, line) == [verdict]
+
+
+def test_the_angle_of_a_line_of_centres_or_a_given_wall_is_to_the_axis_that_is_named() -> None:
+    board = "wall W: along 4i + 3j\nsphere P: mass m, velocity 11i + 2j\n"
+    board += "P hits W: e = 2/5\nfind velocity(P)"
+    lines = {"36.9°": "true", "53.1° to j": "true", "36.9° to j": "false", "63.4°": "false"}
+    for size, verdict in lines.items():
+        assert verdicts(board, f"angle of wall: {size}") == [verdict], size
+    spheres = "sphere A: mass 1, velocity 7i + j\nsphere B: mass 2, at rest\n"
+    spheres += "A hits B: along 3i + 4j, e = 4/5\nfind velocity(A), velocity(B)"
+    lines = {"53.1° to i": "true", "36.9° to j": "true", "53.1° to j": "false"}
+    for size, verdict in lines.items():
+        assert verdicts(spheres, f"angle of line of centres: {size}") == [verdict], size
+
+
+def test_an_angle_of_a_wall_beside_an_axis_is_no_right_angle_to_the_other() -> None:
+    beside = "wall W: along i\nsphere P: mass 2, velocity 10 at 50° to W\n"
+    beside += "P hits W: e = 1/2\nfind velocity(P)"
+    assert verdicts(beside, "angle of wall = 50°") == ["true"]
+    assert verdicts(beside, "angle of wall = 90°") == ["false"]
+
+
 def test_the_direction_of_a_wall_is_answered_by_its_gradient_or_its_angle() -> None:
     for line in ("so wall has gradient 2", "wall makes 63.4 with i", "wall along i + 2j"):
         assert of(SLANTING, "correct answer", "change of velocity = -6i + 3j", line)[0]

@@ -45,7 +45,8 @@ class Features:
     """Features of a phrase; ``names`` stand in the order of the words.
 
     ``timed`` tells that its words say whether it is before or after the event, ``start`` that
-    they speak of the very beginning, ``at_wall`` that they do of the moment at a wall.
+    they speak of the very beginning, ``at_wall`` that they do of the moment at a wall, ``lies``
+    that an angle is that of a wall itself: ``angle of the wall``.
     """
 
     heads: frozenset[str] = frozenset()
@@ -58,6 +59,7 @@ class Features:
     target: str | None = None
     wall: bool = False
     at_wall: bool = False
+    lies: bool = False
     both: bool = False
     mass_centre: bool = False
     timed: bool = False
@@ -87,7 +89,10 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
     for place, word in enumerate(words):
         low = word.lower()
         if word in known or (len(word) == 1 and word.upper() in known and _is_name(words, place)):
-            features = _with_name(features, word if word in known else word.upper(), previous)
+            name = word if word in known else word.upper()
+            features = _with_name(features, name, previous)
+            if name in walls and _is_own_angle(words, place, previous):
+                features = replace(features, lies=True)
         elif _is_pair_of(word, spheres):
             features = replace(features, names=(*features.names, *word))
         elif low in ("i", "j", "x", "y") and _is_axis(words, place):
@@ -109,7 +114,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, event=ORDINALS[low])
         elif low in ("wall", "cushion", "barrier"):
             met = previous in STAGES or (bool(features.stage) and previous in EVENT_WORDS)
-            features = replace(features, wall=True, at_wall=met)
+            lies = features.lies or _is_own_angle(words, place, previous)
+            features = replace(features, wall=True, at_wall=met, lies=lies)
         elif low in ("total", "both", "system", "overall", "combined"):
             features = replace(features, both=True)
         elif len(low) == 2 and low[0] in "uvw" and low[1] in "xy":
@@ -158,6 +164,12 @@ def _is_name(words: Sequence[str], place: int) -> bool:
 
 def _is_pair_of(word: str, spheres: set[str]) -> bool:
     return len(word) == 2 and word[0] in spheres and word[1] in spheres
+
+
+def _is_own_angle(words: Sequence[str], place: int, previous: str) -> bool:
+    """Whether the angle that words name is that of the wall behind: ``angle of the wall``."""
+    between = {word.lower() for word in words[max(0, place - 2) : place]}
+    return HEADS.get(previous) == "angle" and "of" in between
 
 
 def _is_axis(words: Sequence[str], place: int) -> bool:

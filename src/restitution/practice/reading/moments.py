@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
+    Binary,
     Expression,
     Name,
     Quantity,
@@ -119,6 +121,26 @@ class Moments:
             return Name(named[0])
         struck = self.met(event) & set(self.walls)
         return Name(struck.pop()) if struck else None
+
+    def angles_of_wall(self, event: int) -> Iterator[Expression]:
+        """The angles of a wall to an axis that is named: ``angle of W with i``.
+
+        Those of a wall that slants are to either axis where none is: ``angle of the wall``.
+        """
+        features, wall = self.features, self.wall(event)
+        named = features.wall or not set(features.names).isdisjoint(self.walls)
+        if not named or wall is None:
+            return
+        axes = [features.axis] if isinstance(features.axis, Unit) else []
+        if features.lies and features.axis is None and not features.timed:
+            beside = {
+                Name(body.name) for body in self.problem.walls if isinstance(body.along, Unit)
+            }
+            axes = [Unit("i"), Unit("j")] if wall not in beside else []
+        for axis in axes:
+            own = Quantity("angle", (wall, axis))
+            yield own
+            yield Binary("-", STRAIGHT_ANGLE, own)
 
     def after(self, event: int) -> Stage:
         """The stage just after an event."""

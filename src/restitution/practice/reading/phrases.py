@@ -580,7 +580,10 @@ class _Reader(RightAngles):
             yield own
             yield Binary("-", STRAIGHT_ANGLE, own)
         if not spheres:
-            yield from self.angle_of_wall(event)
+            own_angles = tuple(self.angles_of_wall(event))
+            yield from own_angles
+            if own_angles and features.lies and features.axis is not None:
+                return
         for body in self.bodies(event):
             velocity = self.of("velocity", body, event)
             other = self.other_direction(event, line)
@@ -624,15 +627,6 @@ class _Reader(RightAngles):
             yield angle
             yield Binary("-", RIGHT_ANGLE, angle)
             yield Binary("-", STRAIGHT_ANGLE, angle)
-
-    def angle_of_wall(self, event: int) -> Iterator[Expression]:
-        """The angles of a wall to i or j, where the words name both: ``angle of W with i``."""
-        wall = self.wall(event)
-        named = self.features.wall or not set(self.features.names).isdisjoint(self.walls)
-        if named and wall is not None and isinstance(self.features.axis, Unit):
-            own = Quantity("angle", (wall, self.features.axis))
-            yield own
-            yield Binary("-", STRAIGHT_ANGLE, own)
 
     def inclinations(self, event: int) -> Iterator[Expression]:
         """The angles of velocities to the line of centres, measured either way."""

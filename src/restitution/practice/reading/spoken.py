@@ -431,6 +431,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (mass_centres.NAMED, mass_centres.named),
     (mass_centres.OF_CENTRE, mass_centres.of_centre),
     (walls_in_words.LIES_ALONG, walls_in_words.lies_along),
+    (walls_in_words.ANGLE_OF_A_LINE, walls_in_words.lies_at),
+    (walls_in_words.LIES_AT, walls_in_words.lies_at),
     (walls_in_words.NORMAL, walls_in_words.normal),
     (walls_in_words.GRADIENT, walls_in_words.gradient),
     (walls_in_words.GRADIENT_OF_IMPULSE, walls_in_words.gradient_of_impulse),

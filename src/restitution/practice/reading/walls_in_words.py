@@ -32,6 +32,26 @@ HITS_AT = re.compile(
     r"(?:an\s+angle\s+(?:of\s+)?)?(?=[^,;=]*\d\s*(?:°|deg))"
 )
 
+# The angle at which a wall or a line of centres lies: ``angle of wall: 63.4° to i``.
+_LINE = r"(?:the\s+)?(wall|cushion|barrier|line\s+of\s+cent(?:re|er)s|LOC|[A-Z]\w{0,2})"
+_LONGEST_NAME = 3
+_SIZE = (
+    r"((?=[^,;:]*\d)(?:[-−+\d.°/()^⁻¹²√½⅓⅔¼¾×*=≈\s]"
+    r"|(?:arc|a)?(?:tan|sin|cos)(?:inv)?|deg(?:rees)?)+?)"
+)
+_TO_AN_AXIS = (
+    r"\s*(?:to|with|from)\s+(?:the\s+)?"
+    r"(i|j|horizontal|vertical|[xy](?=[-\s]axis))(?:[-\s](?:axis|direction))?(?![\w(])"
+)
+ANGLE_OF_A_LINE = re.compile(
+    rf"\b(?:angle|inclination)\s+of\s+{_LINE}\s*(?:[:=]|is\b)\s*{_SIZE}{_TO_AN_AXIS}"
+)
+LIES_AT = re.compile(
+    rf"(?:(?<=[,;])|^)\s*(?:so|hence|then|therefore)?\s*{_LINE}\s+"
+    r"(?:(?:is|lies|runs|must\s+be)\s+)?(?:inclined\s+|slopes\s+)?at\s+(?:an\s+angle\s+(?:of\s+)?)?"
+    rf"{_SIZE}{_TO_AN_AXIS}"
+)
+
 # How a wall lies, by a vector: ``so the wall is parallel to 2i + j``.
 _PART = r"[-+−]?\s*[\d./√½⅓⅔¼¾()]*\s*"
 LIES_ALONG = re.compile(
@@ -76,6 +96,15 @@ def lies_along(match: re.Match[str], problem: Problem) -> str:
         return match[0]
     # A label alone, wall: i + j, may be of another vector.
     return f"{match[1]}parallel to wall: " if _VERB.search(match[0]) else f"{match[1]}wall: "
+
+
+def lies_at(match: re.Match[str], problem: Problem) -> str:
+    """The angle of a wall or a line of centres to an axis, as a label."""
+    line, size, other = match.groups()
+    if len(line) <= _LONGEST_NAME and line not in {"LOC"} | {wall.name for wall in problem.walls}:
+        return match[0]
+    axis = {"h": "i", "x": "i", "v": "j", "y": "j"}.get(other[0], other)
+    return f" angle of {line} to {axis} = {size}"
 
 
 def normal(match: re.Match[str], problem: Problem) -> str:
