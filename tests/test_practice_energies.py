@@ -138,3 +138,71 @@ def test_an_answer_alone_beside_a_value_that_is_none() -> None:
     marks = mark_answers(problem, answers)
     assert [mark.right for mark in marks] == [True, False, True]
     assert marks[1].as_if == ()
+
+
+_ALONG_J = (
+    "sphere A: mass 2, velocity 3i + 4j\nsphere B: mass 1, velocity i - 2j\n"
+    "A hits B: along j, e = 1/2\nfind energy_lost/energy(0) as a percentage"
+)
+_ALONG_I = (
+    "sphere A: mass 3, velocity 4i + j\nsphere B: mass 1, velocity 2j\n"
+    "A hits B: along i, e = 1/3\nfind energy_lost"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines", "expected"),
+    [
+        (
+            _ALONG_J,
+            ["along j: before 16 + 2 = 18", "along j: after 1 + 8 = 9", "loss = 9"],
+            "true true true",
+        ),
+        (
+            _ALONG_I,
+            ["i direction: before = 24 + 0 = 24", "in i, after = 32/3 + 8 = 18.67", "lost 5.33"],
+            "true true true",
+        ),
+        (
+            _ALONG_J,
+            ["along j: before 16 + 2 = 18", "along j: after 1 + 7 = 8", "loss = 10"],
+            "true false follows",
+        ),
+        (
+            _ALONG_J,
+            ["along j: before 8 + -2 = 6", "along j: after 2 + 4 = 6", "loss = 9"],
+            "true true true",
+        ),
+    ],
+)
+def test_sums_before_and_after_of_one_direction_are_energies(
+    statement: str, lines: list[str], expected: str
+) -> None:
+    """They are where something is lost; momentum of one direction stays."""
+    assert verdicts(statement, *lines) == expected.split()
+
+
+_GAIN = (
+    "sphere A: mass 2, velocity 4i + 2j\nsphere B: mass 1, velocity -2i + 3j\n"
+    "A hits B: along i, e = 1/2\nfind energy_lost"
+)
+
+
+def test_an_energy_increases_and_decreases() -> None:
+    right = ["decrease in KE of A = 15", "increase in KE of B = 6", "B's KE increases by 6"]
+    assert verdicts(_GAIN, *right, "KE of A falls by 20 - 5 = 15") == ["true"] * 4
+    for line in ("increase in KE of B = 7", "KE of A increases by 15", "decrease in KE of A = 6"):
+        assert verdicts(_GAIN, line) == ["false"]
+    wall = "wall W: along j\nA hits B: along i, e = 1/2\nB hits W: e = 1/2\nfind total_energy_lost"
+    twice = _GAIN.split("A hits")[0] + wall
+    lines = ["KE of B increases by 6", "B's KE decreases by 8 - 2 = 6", "decrease in KE of B = 7"]
+    assert verdicts(twice, *lines) == ["true", "true", "false"]
+
+
+def test_a_wrong_gain_is_no_loss() -> None:
+    """What is lost in all does not follow from their sum."""
+    gain = "KE gained by B = 9 - 6.5 = 2.5"
+    assert verdicts(_GAIN, gain, "total KE lost = 15 + 2.5 = 17.5") == ["false", "false"]
+    assert verdicts(_GAIN, gain, "total KE lost = 15 - 2.5 = 12.5") == ["false", "follows"]
+    turned = "KE lost by A = 5 - 21 = -16"
+    assert verdicts(_GAIN, turned, "KE lost = 16 - 6 = 10") == ["false", "follows"]

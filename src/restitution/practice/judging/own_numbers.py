@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Number,
     children,
     is_binary,
+    quantities_in,
     unsigned,
     walk,
 )
@@ -91,6 +92,8 @@ class OwnNumbers:
         trees = dict.fromkeys((_in_meanings(meant, meanings), *others))
         negative = _is_negative(value)
         known = tuple(Negate(tree) if negative else tree for tree in trees)
+        if negative and all(map(_is_of_energy, trees)):
+            known += tuple(trees)  # what has the sign of a gain may be put right below
         self._known[size] = known[:_MEANT], line
 
     def worked(self) -> Iterator[tuple[Fraction, int]]:
@@ -152,7 +155,7 @@ class OwnNumbers:
         sources = [size for _, sizes in meant.values() for size in sizes]
         lines = tuple(dict.fromkeys(self._known[size][1] for size in sources))
         forms = [
-            [signed for tree in trees for signed in (tree, Negate(tree))]
+            [signed for tree in trees for signed in _in_either_sense(tree)]
             for trees, _ in meant.values()
         ]
         for trees in islice(product(*forms), _TRIED):
@@ -170,7 +173,7 @@ class OwnNumbers:
         places = [*_places(claim.left, size), *_places(claim.right, size)]
         if len(places) < _FEWEST or any(map(_is_one, (claim.left, claim.right))):
             return  # of 5/5 no figure is another number than its other one
-        for tree in (own for meant in trees for own in (meant, Negate(meant))):
+        for tree in (own for meant in trees for own in _in_either_sense(meant)):
             for left in _with_one(claim.left, size, tree, behind):
                 yield replace(claim, left=left), (line,)
             for right in _with_one(claim.right, size, tree, behind):
@@ -189,6 +192,19 @@ class OwnNumbers:
                 if _is_near(number, factor * size):
                     return tuple(Binary("*", Number(factor), tree) for tree in trees), (size,)
         return None
+
+
+def _in_either_sense(tree: Expression) -> Iterator[Expression]:
+    """A tree and what it is with the other sign; energies have one sense: a gain is no loss."""
+    yield tree
+    if not _is_of_energy(tree):
+        yield Negate(tree)
+
+
+def _is_of_energy(tree: Expression) -> bool:
+    """Whether a tree is made of energies, or of losses of them, alone."""
+    kinds = [quantity.kind for quantity in quantities_in(tree)]
+    return bool(kinds) and all("energy" in kind for kind in kinds)
 
 
 def _in_meanings(tree: Expression, meanings: Meanings) -> Expression:

@@ -37,6 +37,18 @@ LOSES = re.compile(
     rf"(?:(?:initial|original|total)\s+)?{_KE})?(?=\s*(?:$|[.,;]|\band\b))",
     re.IGNORECASE,
 )
+# ``increase in KE of B = 6``, ``B's KE goes down by 12.5 - 6.5 = 6``
+CHANGE_IN_ENERGY = re.compile(
+    rf"\b(?:(increase|rise)|(?:decrease|reduction|fall|drop))\s+(?:in|of)\s+(?=(?:the\s+)?{_KE}(?![a-z]))",
+    re.IGNORECASE,
+)
+ENERGY_CHANGES_BY = re.compile(
+    rf"(^|[,;]|\b{_SO}\b)\s*(?:(?:the\s+)?{_KE}\s+(?:of|for)\s+([A-Z])|([A-Z])['’]?s\s+{_KE})\s+(?:is\s+)?"
+    r"(?:(increase[sd]|rises|rose|goes\s+up|went\s+up)"
+    r"|(?:decrease[sd]|reduced|falls|fell|drops|dropped|goes\s+down|went\s+down))"
+    r"\s+by\s*[:=]?\s*(?=[\d(½.])",
+    re.IGNORECASE,
+)
 KEEPS = re.compile(
     r"(^|[,;]|\bso\b)\s*(?:(?:it|the\s+(?:ball|sphere|particle|puck))\s+)?(?:keeps|retains)\s+"
     rf"({_VALUE})\s*(%|per\s?cent\b)?\s+of\s+(?:(?:its|the)\s+)?(?:(?:initial|original|total)\s+)?"
@@ -167,6 +179,21 @@ def loses(match: re.Match[str], problem: Problem) -> str:
     if whole:
         return f"{start}fraction lost = {value}"
     return match[0]
+
+
+def change_in_energy(match: re.Match[str], _: Problem) -> str:
+    """A gain, or a loss, by its usual name."""
+    return "gain in " if match[1] else "loss in "
+
+
+def energy_changes_by(match: re.Match[str], problem: Problem) -> str:
+    """What a sphere gains, or loses, of its energy."""
+    start, name, owner, gain = match.groups()
+    body = name or owner
+    share = "%" in match.string or "cent" in match.string
+    if share or body not in {sphere.name for sphere in problem.spheres}:
+        return match[0]
+    return f"{start} KE {'gained' if gain else 'lost'} by {body} = "
 
 
 def energies_along(match: re.Match[str], _: Problem) -> str:

@@ -15,6 +15,14 @@ _STAGE = re.compile(
     rf"\s*{_TITLE}(?:so\s+)?(?:total\s+)?(before|after|{_ENDS})(?:wards)?\s*[:=]?\s*(?=[\d(.√])(?!.*:)",
     re.IGNORECASE,
 )
+# Energies of one direction, of all spheres: ``along j: before 16 + 2 = 18``.
+_STAGE_ALONG = re.compile(
+    r"\s*(?:so\s+)?(?:(?:along|in|parallel\s+to)\s+)?(?:the\s+)?"
+    r"(?:([ij])(?:[-\s]+(?:direction|axis))?|(line\s+of\s+centres|LOC))\s*[:,]?\s*"
+    r"(before|after)\s*[:=]?\s*(?=[\d(.½])(?!.*:)",
+    re.IGNORECASE,
+)
+_SUM = re.compile(r"[^-−=]*\+[^-−=]*=(?:[^=]*=)*\s*(\d[\d./]*)\s*(?:J\b\s*)?")
 _JOULES = re.compile(r"\d\s*(?:J|joules?)\b")
 # What an energy is written with: numbers, masses and speeds, and no unit vectors.
 _AMOUNT = re.compile(r"(?:[\d\s.+*/x·÷()^²=√|-]|(?<![A-Za-z])[emMuUkv]{1,3}(?![A-Za-z])|J\b)+")
@@ -32,6 +40,7 @@ def with_energy_labels(
     alone may be in other units.
     """
     asked = [tree for tree in _asked(problem) if _is_of_energy(tree)]
+    lines = _with_energies_along(lines) if asked and len(problem.spheres) > 1 else lines
     staged = {
         place: match
         for place, line in enumerate(lines)
@@ -53,6 +62,45 @@ def with_energy_labels(
     return labelled, frozenset(staged) if joules or lost else frozenset()
 
 
+def _with_energies_along(lines: Sequence[Plain]) -> Sequence[Plain]:
+    """The lines with ``KE along j before =`` for ``along j: before``, where they are of energies.
+
+    They are sums before and after of which something is lost: all of a momentum stays.
+    """
+    sums = {
+        place: (match, total[1])
+        for place, line in enumerate(lines)
+        if (match := _STAGE_ALONG.match(line.text))
+        and _AMOUNT.fullmatch(text := line.text[match.end() :])
+        and (total := _SUM.fullmatch(text))
+    }
+    ends = [
+        {total for match, total in sums.values() if match[3].lower() == stage}
+        for stage in ("before", "after")
+    ]
+    lost = any(_LOSS.search(line.text) for line in lines)
+    if not lost or not all(ends) or ends[0] & ends[1]:
+        return lines
+    return [
+        _put(line, sums[place][0], _label_along(sums[place][0])) if place in sums else line
+        for place, line in enumerate(lines)
+    ]
+
+
+def _label_along(match: re.Match[str]) -> str:
+    """The name of an energy of one direction."""
+    direction = match[1].lower() if match[1] else "line of centres"
+    return f"KE along {direction} {match[3].lower()} = "
+
+
+def _put(line: Plain, match: re.Match[str], label: str) -> Plain:
+    """A line that begins with a label in place of a match."""
+    columns = (line.columns[match.start(match.lastindex or 0)],) * len(label) + line.columns[
+        match.end() :
+    ]
+    return Plain(label + line.text[match.end() :], columns)
+
+
 def _stage(match: re.Match[str]) -> str:
     """The stage of a line, by whatever word."""
     word = match[1].lower()
@@ -64,8 +112,7 @@ def _labelled(line: Plain, match: re.Match[str], problem: Problem) -> Plain:
     stage = _stage(match)
     first = stage == "before" != match[1].lower() and len(problem.events) > 1
     label = "KE at the start = " if first else f"{stage}: "
-    columns = (line.columns[match.start(1)],) * len(label) + line.columns[match.end() :]
-    return Plain(label + line.text[match.end() :], columns)
+    return _put(line, match, label)
 
 
 def asks_energy(problem: Problem) -> bool:

@@ -400,6 +400,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (amounts.WHICH_IS, amounts.which_is),
     (amounts.LISTED_LOSS, amounts.listed_loss),
     (amounts.LOSES, amounts.loses),
+    (amounts.CHANGE_IN_ENERGY, amounts.change_in_energy),
+    (amounts.ENERGY_CHANGES_BY, amounts.energy_changes_by),
     (amounts.ENERGIES_ALONG, amounts.energies_along),
     (amounts.KEEPS, amounts.keeps),
     (amounts.AT_A_SPEED, amounts.at_a_speed),
