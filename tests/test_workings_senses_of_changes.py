@@ -94,3 +94,22 @@ def test_a_letter_of_which_the_sign_is_open_leaves_a_change_its_sense() -> None:
         "    the direction from A to B is that of 3𝐢 + (s + 1)𝐣"
     ) in text
     assert "approach each other along" not in text
+
+
+def test_a_direction_that_is_shortened_is_told_by_its_sense_once() -> None:
+    text = text_of(
+        "sphere P: mass 4, velocity 9i\nsphere Q: mass 2, velocity i + 3j\nP hits Q\n"
+        "given velocity(Q) = 7i + 6j\nfind e\n"
+    )
+    assert "is parallel to (7𝐢 + 6𝐣) − (𝐢 + 3𝐣) = 6𝐢 + 3𝐣" in text
+    assert text.count("the direction from P to Q is that of") == 1
+    assert "the direction from P to Q is that of 2𝐢 + 𝐣" in text
+
+
+def test_a_change_of_whole_velocities_is_not_called_one_along_the_line() -> None:
+    text = text_of(
+        "sphere A: mass 3, velocity 4i + j\nsphere B: mass m, velocity -2i + j\n"
+        "A hits B: along i, e = 1/3\ngiven velocity(A) parallel to j\nfind m, impulse(A)\n"
+    )
+    assert "Impulse = change of momentum of A:\n" in text
+    assert "change of momentum of A along" not in text

@@ -33,6 +33,8 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     one, other = vector_worth(own), vector_worth(before)
     if one is None or other is None or sp.expand(one.cross(other)) != 0:
         return None
+    if _is_shortened(derivation, line, one):
+        return None  # the shorter vector has the sentence
     towards = sp.expand(one.dot(other)).is_negative
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
@@ -48,6 +50,19 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
     name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)
+
+
+def _is_shortened(derivation: Derivation, line: Line, own: Vector) -> bool:
+    """Whether the next line has the same direction by a vector that is a number times this one."""
+    for other in derivation.lines:
+        if other.move.id != "rearrange" or other.premises != (line.number,):
+            continue
+        direction = _direction(other)
+        shorter = None if direction is None else vector_worth(direction)
+        if shorter is None or shorter == own or not _is_multiple(shorter, own):
+            continue
+        return bool(sp.expand(shorter.dot(own)).is_positive)
+    return False
 
 
 def _is_multiple(one: Vector, other: Vector) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
 
+import sympy as sp
+
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import (
@@ -232,7 +234,10 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             case "assemble", _:
                 return self._assembled(record, line, event, bodies)
             case "impulse-vector", _ if (
-                event is not None and event.kind == "impact" and self._by_components(line)
+                event is not None
+                and event.kind == "impact"
+                and self._by_components(line)
+                and not _is_of_whole_velocities(last.right, first.right)
             ):
                 return RECORDS["impulse"].title(event)  # a component times its unit vector
             case "impulse", _ if event is not None and not event.wall and self._decreases(line):
@@ -595,3 +600,15 @@ def _is_to_a_line(tree: Expression) -> bool:
     """Whether a quantity is the angle of one velocity, to a line."""
     velocities = [is_quantity(side, "velocity") for side in children(tree)]
     return is_quantity(tree, "angle") and velocities.count(True) == 1
+
+
+def _is_of_whole_velocities(impulse: Expression, change: Expression) -> bool:
+    """Whether a change of momentum has a velocity that is not along the impulse."""
+    whole = vector_worth(impulse)
+    for node in walk(change) if whole is not None else ():
+        if not isinstance(node, Binary) or node.op != "-":
+            continue
+        ends = vector_worth(node.left), vector_worth(node.right)
+        if whole is not None and None not in ends:
+            return any(end is not None and sp.expand(end.cross(whole)) != 0 for end in ends)
+    return False
