@@ -50,7 +50,7 @@ find time(1), speed(P)
 """
     words = printed(text)
     assert words.count("A chord makes equal angles with the radii at its ends") == 1
-    assert "The component along the tangent before the impact:" in words
+    assert "The component along the tangent before the impact, taken anticlockwise:" in words
 
 
 def test_the_side_that_is_worked_out_is_said_before_it_is_taken() -> None:

@@ -90,7 +90,9 @@ def _grows_between(
             if not _is_unbroken(step, value, letter):
                 return False
             strict = any(len(link.sign) == 1 for link in links)
-            if strict and not _is_steep(step, direction * slope, letter, ends):
+            # What is only approached without end is told with the condition of the answer.
+            bounded = all(end.is_finite is not False for end, _ in ends.values())
+            if strict and bounded and not _is_steep(step, direction * slope, letter, ends):
                 return False
             return all(
                 _is_worth(step, value, letter, *bound) for bound in bounds if bound is not None

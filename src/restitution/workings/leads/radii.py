@@ -97,8 +97,9 @@ class Radii:
         one, other = event.bodies
         size = self._naming.layout(tree_of(tidy(sp.sqrt(away.dot(away)))))
         slots: dict[str, Any] = {"one": one, "other": other, "distance": self._length(size)}
-        (body,) = line.move.bodies
-        beside = self._place_of(line, one if body == other else other)
+        body = line.move.bodies[0]
+        alone = len(line.move.bodies) == 1  # of two that move, neither has the place of the other
+        beside = self._place_of(line, one if body == other else other) if alone else None
         if beside is not None and 0 in away and (away.x == 0) == (beside.x == 0):
             axis, place, share = ("x", beside.x, away.x) if away.y == 0 else ("y", beside.y, away.y)
             gap_ = share if (op == "-") == (body == other) else -share
