@@ -312,8 +312,8 @@ def test_a_part_follows_through_from_another() -> None:
 def test_a_second_solution_adds_its_answer_only() -> None:
     marks = told_marks(TWO_ROOTS.replace("find alpha", "find speed(A)"))
     assert marks[-1] == "A1"
-    # Solving, the turn, its tangent, the roots: once each.
-    assert marks.count("DM1") == 4
+    # Solving, the turn with its tangent, the roots: once each.
+    assert marks.count("DM1") == 3
     assert marks.count("A1") == 2 + 2 + 2
 
 

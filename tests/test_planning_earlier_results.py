@@ -385,17 +385,6 @@ def test_times_that_stand_are_added_from_one_event_to_another() -> None:
     assert "t₁" not in parts["b"]
 
 
-def test_a_time_goes_by_the_relation_that_was_shown() -> None:
-    parts = worked(
-        "point O: (0, 0)\nwall BC: along j, through (a, 0)\nwall CD: along i, through (0, b)\n"
-        "wall DA: along j, through (-a, 0)\nsphere P: at (0, 0), velocity u at theta\n"
-        "P hits BC: e = 1\nP hits CD: e = e\nP hits DA: e = 1\nP reaches O\n"
-        "part a\nshow tan(theta) = b(1 + e)/(4a e)\npart b\nshow time(4) = 4a/(u cos(theta))\n"
-    )
-    assert "t₄ − t₂ = b/(eu sin θ)" in parts["b"]
-    assert "(1 + e)b/(eu sin θ) Substituting for tan θ: t₄ = 4a/(u cos θ)" in parts["b"]
-
-
 @pytest.mark.parametrize("claim", ["<= u/4", "< 3u/8"])
 def test_a_bound_comes_of_the_greatest_value_above(claim: str) -> None:
     parts = worked(

@@ -37,7 +37,6 @@ from restitution.expression.tree import (
     is_function,
     is_quantity,
     quantities_in,
-    terms_of,
 )
 
 
@@ -214,25 +213,14 @@ def _is_size_of(step: Step, line: Link, quantity: Quantity, value: Quotient) -> 
 
 
 def _note_pace(step: Step, link: Link, rules: Rules) -> None:
-    """What goes some way that is not zero has a speed there that is not zero: it is divided by.
-
-    So it is over several ways on which a component is the same.
-    """
+    """What goes some way that is not zero has a speed there that is not zero: it is divided by."""
     match link:
-        case Link(distance, "=", whole):
-            paces = [term.left for term in terms_of(whole) if is_binary(term, "*")]
-        case _:
-            return
-    if len(paces) < len(list(terms_of(whole))):
-        return
-    length, *speeds = (rules.put_into(step.world.value(tree)) for tree in (distance, *paces))
-    if isinstance(length, Plane) or length.vanishes or not speeds:
-        return
-    first = speeds[0]
-    if isinstance(first, Plane) or any(speed != first for speed in speeds):
-        return
-    if step.signs.of(length, sure=False) is not None:
-        step.world.denominators.append(first.above)
+        case Link(distance, "=", Binary("*", pace, _)):
+            length, speed = (rules.put_into(step.world.value(tree)) for tree in (distance, pace))
+            if isinstance(length, Plane) or isinstance(speed, Plane) or length.vanishes:
+                return
+            if step.signs.of(length, sure=False) is not None:
+                step.world.denominators.append(speed.above)
 
 
 def _note_approach(step: Step, rules: Rules) -> None:
