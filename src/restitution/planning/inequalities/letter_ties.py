@@ -367,9 +367,21 @@ class Ties:
             whole = with_the_sum_of_squares(self.scene, line, symbol) or line
             known = self.judge.known([symbol.name])
             squares = one_square_a_side(self.scene, whole, symbol, known)
-            if squares != line:
+            if squares != line or not self._is_linear_in_ratios(line, symbol):
                 return squares
         return multiplied_out(self.scene, line, symbol)
+
+    def _is_linear_in_ratios(self, line: int, symbol: sp.Symbol) -> bool:
+        """Whether both sides are sums of multiples of the sine and the cosine of an angle.
+
+        Of products of them, what both sides share is divided out first.
+        """
+        link = self.scene.desk.last_link(line)
+        whole = sp.expand(self.scene.scalar(link.left) - self.scene.scalar(link.right))
+        ratios = (sp.sin(symbol), sp.cos(symbol))
+        if symbol in whole.xreplace(dict.fromkeys(ratios, sp.S.One)).free_symbols:
+            return False
+        return bool(whole.is_polynomial(*ratios)) and sp.Poly(whole, *ratios).total_degree() == 1
 
     def rank(self, symbol: sp.Symbol) -> tuple[int, str]:
         kind = roles(self.scene.problem)[symbol.name].kind
