@@ -26,7 +26,7 @@ from restitution.components.verdicts import (
     renamed_formula,
 )
 from restitution.exact import is_zero, tidy
-from restitution.exact.symbols import atoms_in, substituted, symbol_names, symbols_in
+from restitution.exact.symbols import atoms_in, expression_of, substituted, symbol_names, symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.tree import (
     Expression,
@@ -156,7 +156,7 @@ class Model:
 
     def in_data(self, x: Any) -> sp.Expr:
         """An expression with the final value of every unknown put in."""
-        x = x if isinstance(x, sp.Expr) else sp.sympify(x, strict=True)
+        x = expression_of(x)
         for _ in range(6):
             inside = {s: self.final[s] for s in symbols_in(x) if s in self.final}
             if not inside:

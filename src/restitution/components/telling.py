@@ -242,9 +242,10 @@ def _frame(
     elif axis == "j":
         n, t = Vector(zero, one), Vector(one, zero)
     else:
-        ratio = sp.sympify(tidy(c.y / c.x), strict=True)
-        if step.along is not None and ratio.is_number:
-            c = Vector(one, ratio) * model.sign(c.x)  # whichever sign the letters have
+        if step.along is not None:
+            ratio = sp.sympify(tidy(c.y / c.x), strict=True)
+            if ratio.is_number:
+                c = Vector(one, ratio) * model.sign(c.x)  # whichever sign the letters have
         size = tidy(sp.sqrt(tidy(sp.expand(c.dot(c)))))
         n = Vector(tidy(c.x / size), tidy(c.y / size))
         t = Vector(-n.y, n.x)

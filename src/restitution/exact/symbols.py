@@ -26,6 +26,14 @@ def symbol_names(*values: sp.Basic) -> frozenset[str]:
     return frozenset([symbol.name for value in values for symbol in symbols_in(value)])
 
 
+def expression_of(value: Any) -> sp.Expr:
+    """A number as an expression; one that is there already is not asked again.
+
+    Raises SympifyError for what is no number of Python or SymPy.
+    """
+    return value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
+
+
 def substituted(value: sp.Expr, values: Mapping[sp.Basic, sp.Basic]) -> sp.Expr:
     """An expression with values for some of its parts, in the form that this gives."""
     return _substituted(value, frozenset(values.items()))

@@ -31,6 +31,7 @@ from mpmath.libmp import (
 from mpmath.libmp.libmpi import mpi_pi
 
 from restitution.exact.degrees import function_of
+from restitution.exact.symbols import expression_of
 from restitution.expression.enclosed import (
     Enclosed,
     Interval,
@@ -80,14 +81,7 @@ class Program:
     @classmethod
     def of(cls, expressions: Sequence[sp.Expr]) -> Program:
         """Compiles expressions. Raises BeyondError for a function that is not known here."""
-        return _compiled(
-            tuple(
-                [
-                    own if isinstance(own, sp.Expr) else sp.sympify(own, strict=True)
-                    for own in expressions
-                ]
-            )
-        )
+        return _compiled(tuple(map(expression_of, expressions)))
 
     def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
         """The sign of every expression at a point; None where it is undefined or not certain.

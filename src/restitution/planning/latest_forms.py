@@ -154,18 +154,15 @@ def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle)
 
 def _sums_shared(derivation: Derivation, line: Line, form: int) -> int:
     """How many sums a line has in common with a form of its equation."""
-    own, other = (
-        {
-            node
-            for tree in trees_of(stated.relation)
-            for node in walk(tree)
-            if is_binary(node, "+", "-")
-        }
-        if stated is not None and isinstance(stated.relation, Relation)
-        else set[Expression]()
-        for stated in (line, derivation.line(form))
-    )
-    return len(own & other)
+    return len(_sums_in(line) & _sums_in(derivation.line(form)))
+
+
+def _sums_in(line: Line | None) -> set[Expression]:
+    """The sums and differences in the relation of a line."""
+    if line is None or not isinstance(line.relation, Relation):
+        return set()
+    nodes = (node for tree in trees_of(line.relation) for node in walk(tree))
+    return {node for node in nodes if is_binary(node, "+", "-")}
 
 
 def _is_quoted(first: Line | None, line: Line) -> bool:

@@ -36,8 +36,6 @@ class Axes:
     def __init__(self, derivation: Derivation, setting: Setting) -> None:
         self._derivation = derivation
         self._setting = setting
-        self._lines = {line.number: line for line in derivation.lines}
-        self._facts = {fact.id: fact for fact in derivation.facts}
 
     def turned_in_laws(self) -> Iterator[Ref]:
         """Directions of lines of centres that laws use, against one that they use as well."""
@@ -76,11 +74,7 @@ class Axes:
         for line in self._derivation.lines:
             if isinstance(line.relation, Meaning):
                 continue
-            cited = [
-                self._lines[n].relation
-                for n in line.premises
-                if isinstance(n, int) and n in self._lines
-            ]
+            cited = [own.relation for own in self._derivation.lines_in(line.premises)]
             named = [relation.quantity for relation in cited if isinstance(relation, Meaning)]
             used = {
                 node.arguments[1]
@@ -144,7 +138,7 @@ class Axes:
 
     def _directions(self, ref: Ref) -> Iterator[tuple[Expression, Expression]]:
         """The lines of centres of which a premise gives the direction, each with that."""
-        given = self._lines.get(ref) if isinstance(ref, int) else self._facts.get(ref)
+        given = self._derivation.cited(ref)
         if given is None or isinstance(given.relation, Meaning):
             return
         for links in given.relation.options:

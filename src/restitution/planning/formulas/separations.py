@@ -27,7 +27,6 @@ from restitution.vector import Vector
 def _separation_tree(scene: Scene, frame: Frame) -> Expression:
     first, second = scene.bodies(frame.number)
     own, other = (component_letter(scene, body, frame) for body in (second, first))
-
     return Binary("-", plain_letter(own.name), plain_letter(other.name))
 
 

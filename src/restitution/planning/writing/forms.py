@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.degrees import function_of, with_ratio
-from restitution.exact.symbols import atoms_in, symbols_in
+from restitution.exact.symbols import atoms_in, expression_of, symbols_in
 from restitution.explaining.lines.trees import compounds_rebuilt, rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
@@ -62,7 +62,7 @@ def neat(value: Any) -> Any:
 
     Nor are those of 50° and 80° by others.
     """
-    own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
+    own = expression_of(value)
     multiples = {
         atom.args[0]
         for atom in atoms_in(own, sp.sin, sp.cos, sp.tan)
@@ -151,8 +151,7 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
     """
     if isinstance(value, Vector | tuple):
         return vector(*(tree_of(other, as_it_is=as_it_is) for other in value))
-    own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
-    return _tree_of(own, angle, as_it_is)
+    return _tree_of(expression_of(value), angle, as_it_is)
 
 
 @remembered(4096)

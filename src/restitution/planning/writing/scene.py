@@ -11,7 +11,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components.models import Model
-from restitution.exact.symbols import atoms_in, substituted, symbol_names, symbols_in
+from restitution.exact.symbols import atoms_in, expression_of, substituted, symbol_names, symbols_in
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt, trees_of
@@ -238,7 +238,7 @@ class Scene:
     def scalar(self, tree: Expression) -> sp.Expr:
         """What a tree is worth, as a number; angles in radians."""
         worth = self._worth_as("scalar", tree)
-        return worth if isinstance(worth, sp.Expr) else sp.sympify(worth, strict=True)
+        return expression_of(worth)
 
     def _worth_as(self, kind: Literal["value", "vector", "scalar"], tree: Expression) -> Any:
         """What a tree is worth as one kind of value; it is kept while letters are the same."""
@@ -312,7 +312,7 @@ class Scene:
         """The unknowns in a value that have no value on the desk yet."""
         if isinstance(value, Vector):
             return self.unknown(value.x) | self.unknown(value.y)
-        own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
+        own = expression_of(value)
         if not symbols_in(own):
             return frozenset()
         state = self.state()
@@ -361,7 +361,7 @@ class Scene:
         if isinstance(value, Vector):
             x, y = (self.put(other) for other in value)
             return Vector(x[0], y[0]), together(x[1], y[1])
-        own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
+        own = expression_of(value)
         changed, refs = self.with_values(own)
         return (own, ()) if changed is own else (neat(changed), refs)
 
@@ -370,7 +370,7 @@ class Scene:
 
         It is the same object where nothing is put in.
         """
-        own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
+        own = expression_of(value)
         if not symbols_in(own):
             return own, ()
         state = self.state()

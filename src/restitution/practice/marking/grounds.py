@@ -265,9 +265,9 @@ class Grounds:
         """
         wrong = (root.mistake for root in self._roots(line))
         other = any(mistake is not None and mistake.id in OF_DEFLECTION for mistake in wrong)
-        given = point.principle == "condition" and point.link is not None
-        given = given and point.link is not None and is_ratio_of_angle(point.link.left)
-        return other and (given or point.principle == "deflection")
+        if point.principle == "condition" and point.link is not None:
+            return other and is_ratio_of_angle(point.link.left)
+        return other and point.principle == "deflection"
 
     def _is_no_component_of(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line has no velocity in it, or one component alone where a velocity is due.
@@ -295,8 +295,9 @@ class Grounds:
         needed = (self.states[name].point for name in point.depends if name in self.states)
         events = {other.event for other in needed if other.principle in LAWS}
         own = line.uses[0] if line.uses else None
-        law = own is not None and own.principle in LAWS and own.event is not None
-        return law and own is not None and bool(events - {None}) and own.event not in events
+        if own is None or own.principle not in LAWS or own.event is None:
+            return False
+        return bool(events - {None}) and own.event not in events
 
     def _is_before_condition(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line needs no condition of the question, which solving puts in."""

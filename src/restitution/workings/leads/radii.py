@@ -18,23 +18,14 @@ from restitution.explaining.lines.derivation import (
     equality,
 )
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit, is_quantity
+from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit
 from restitution.planning.writing.forms import ZERO, swept, total, tree_of
 from restitution.problem import Arrival
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.naming.measured import vector_worth, with_its_unit, worth
 from restitution.workings.naming.quantities import Naming
-
-
-def _is_of_time(line: Line) -> bool:
-    """Whether a line says how long a flight takes."""
-    assert isinstance(line.relation, Relation)
-    left = line.relation.only[0].left
-    return all(
-        is_quantity(tree, "time")
-        for tree in ((left.left, left.right) if isinstance(left, Binary) else (left,))
-    )
+from restitution.workings.naming.sources import says_a_time
 
 
 class Radii:
@@ -125,7 +116,7 @@ class Radii:
         if fact is None or event is None:
             return None
         wall = self._wall_reached(event)
-        if wall is None and _is_of_time(line):
+        if wall is None and says_a_time(line):
             return self._of_a_gap(line, event, fact)
         if wall is None:
             second = "origin" in line.premises and line.move.bodies == event.bodies[1:]

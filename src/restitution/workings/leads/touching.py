@@ -22,7 +22,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.workings.leads.particles import first_with_particles
 from restitution.workings.naming.measured import vector_worth, with_its_unit
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.sources import is_time
+from restitution.workings.naming.sources import says_a_time
 
 
 class Touching:
@@ -94,7 +94,7 @@ class Touching:
         event = self._naming.events.get(number or 0)
         axis = self._naming.unit_of(event, "along")
         across = self._naming.unit_of(event, "across")
-        if event is None or event.wall or axis is None or across is None or not _is_time(line):
+        if event is None or event.wall or axis is None or across is None or not says_a_time(line):
             return
         others = {body for body in event.bodies if body not in line.move.bodies}
         for own in self._derivation.lines_in(line.premises):
@@ -142,11 +142,6 @@ class Touching:
         layout = self._naming.layout(place if vector is None else tree_of(vector))
         unit = self._naming.unit(Quantity("distance", ()))
         return say("touch.at", position=position, place=with_its_unit(layout, unit))
-
-
-def _is_time(line: Line) -> bool:
-    """Whether a line says what a time is."""
-    return isinstance(line.relation, Relation) and is_time(line.relation.options[0][0].left)
 
 
 def touching_beside(

@@ -80,6 +80,11 @@ def is_time(tree: Expression) -> bool:
     return False
 
 
+def says_a_time(line: Line) -> bool:
+    """Whether a line says when something happens, or how long a flight takes."""
+    return isinstance(line.relation, Relation) and is_time(line.relation.options[0][0].left)
+
+
 def is_displacement(tree: Expression) -> bool:
     """Whether a tree is how far a body comes in one direction: one of its coordinates less one."""
     match tree:
