@@ -244,7 +244,7 @@ def on_either_side(derivation: Derivation) -> frozenset[int]:
     if kinds & {"axis", "wall", "position", "let"}:
         return frozenset()
     for body in event.bodies[:1] if event.wall else event.bodies:
-        fact = facts.get(" ".join(("velocity", body)))
+        fact = facts.get(f"velocity {body}")
         if fact is None or not _is_along_i(fact.relation.only[0].right):
             return frozenset()
     given = [fact.relation for fact in derivation.facts if fact.kind in ("given", "earlier")]

@@ -55,10 +55,10 @@ def _angles(derivation: Derivation) -> Iterator[Binary]:
         if isinstance(node, Apply)
     }
     for event in derivation.events:
-        own = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
+        own = f"wall {event.bodies[1]}" if event.wall else f"axis {event.number}"
         turn = turn_of_line(derivation.fact(own)) if len(event.bodies) > 1 else None
         for body in event.bodies:
-            path = turn_of_path(derivation.fact(" ".join(("velocity", body))))
+            path = turn_of_path(derivation.fact(f"velocity {body}"))
             if path is None or turn is None:
                 continue
             angles = [tree for tree in angles_between(path, turn) if tree in written]

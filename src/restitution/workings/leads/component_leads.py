@@ -180,7 +180,7 @@ class ComponentLeads(LinesAround):
 
         So those at a wall at 110° have the sine and the cosine of 70°.
         """
-        fact = self._derivation.fact(" ".join(("wall", event.bodies[-1])))
+        fact = self._derivation.fact(f"wall {event.bodies[-1]}")
         match None if fact is None or not event.wall else fact.relation.only[-1].right:
             case Degrees(turn) as angle if RIGHT_ANGLE.value < turn < STRAIGHT_ANGLE.value:
                 rest = Degrees(STRAIGHT_ANGLE.value - turn)
@@ -199,11 +199,11 @@ class ComponentLeads(LinesAround):
         if stage == event.number:
             return say("resolved.products-after", **slots)
         if event.wall:
-            fact = self._derivation.fact(" ".join(("wall", event.bodies[1])))
+            fact = self._derivation.fact(f"wall {event.bodies[1]}")
             parallel = fact is not None and are_parallel(along, fact.relation.only[-1].right)
             name: SentenceId = "resolved.products-along" if parallel else "resolved.products-wall"
             return say(name, wall=event.bodies[1], **slots)
-        fact = self._derivation.fact(" ".join(("axis", str(event.number))))
+        fact = self._derivation.fact(f"axis {event.number}")
         if fact is not None and are_perpendicular(along, fact.relation.only[-1].right):
             return say("resolved.products-across", **slots)
         return say("resolved.products-before", **slots)
@@ -227,7 +227,7 @@ class ComponentLeads(LinesAround):
                 case Relation(((Link(Quantity("time"), "="), *_),)) if (
                     own.shown == "line"
                     and (own.move.record, own.move.event) == ("chord", event.number)
-                    and " ".join(("position", event.bodies[0])) in own.premises
+                    and f"position {event.bodies[0]}" in own.premises
                 ):
                     return True
         return False

@@ -120,7 +120,7 @@ def _level_of(derivation: Derivation, line: Line, left: Expression) -> str | Non
     """The axis, x or y, to which a body moves parallel: its other coordinate is as it was given."""
     match left:
         case Quantity("along", (Quantity("position", (Name(body),)), Unit(axis))):
-            fact = derivation.fact(" ".join(("position", body)))
+            fact = derivation.fact(f"position {body}")
         case _:
             return None
     assert isinstance(line.relation, Relation)
@@ -381,7 +381,7 @@ def _from_the_origin(derivation: Derivation, line: Line) -> bool:
 
 def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
     """Whether the statement lets a letter stand for a time."""
-    fact = derivation.fact(" ".join(("let", letter.name)))
+    fact = derivation.fact(f"let {letter.name}")
     return fact is not None and is_time(fact.relation.only[0].left)
 
 

@@ -369,7 +369,7 @@ class GivenLeads(Leads):
 
         ``30° + 45° = 75°`` of a path at 30° and a line at −45°. None where the line is by **i**.
         """
-        axis = self._derivation.fact(" ".join(("axis", str(line.move.event))))
+        axis = self._derivation.fact(f"axis {line.move.event}")
         turn = turn_of_line(axis) or self._turn_by_its_letter(line, axis)
         match line.relation, fact.relation:
             case (

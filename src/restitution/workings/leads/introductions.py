@@ -183,7 +183,7 @@ class Introductions:
         The sentences for one letter and for several, and what they say; None where the line is
         worked out: then it leads from the first body to the second.
         """
-        fact = self._derivation.fact(" ".join(("axis", str(event.number))))
+        fact = self._derivation.fact(f"axis {event.number}")
         if fact is None:
             return None
         axis = fact.relation.only[0].right

@@ -504,7 +504,7 @@ def _velocity_of_data(line: Line) -> str | None:
     match line.relation:
         case Relation(((Link(Quantity("velocity", (Name(body),), 0), "="),),)) if (
             line.move.id == "rearrange"
-            and " ".join(("velocity", body)) in line.premises
+            and f"velocity {body}" in line.premises
             and all(isinstance(ref, str) for ref in line.premises)
         ):
             return body

@@ -200,7 +200,7 @@ class LinesAround:
     def _on_the_line(self, line: Line) -> str | None:
         """The body of a line that moves along the line of centres: by a component, or from rest."""
         for body in line.move.bodies:
-            fact = self._derivation.fact(" ".join(("velocity", body)))
+            fact = self._derivation.fact(f"velocity {body}")
             rest = fact is not None and fact.id in line.premises and is_at_rest(fact)
             if rest or self._standing(line).get("across") == body:
                 return body
@@ -273,7 +273,7 @@ class LinesAround:
 
         One along **i** is across a line of centres along **j**, or at 90°.
         """
-        fact = self._derivation.fact(" ".join(("axis", str(line.move.event))))
+        fact = self._derivation.fact(f"axis {line.move.event}")
         if fact is None or not isinstance(axis, Unit):
             return kind
         own = fact.relation.only[-1].right

@@ -69,7 +69,7 @@ def _in_order(naming: Naming, number: int) -> tuple[str, str, Unit] | None:
 
     None where no fact tells along **i** or **j** who came to whom in that impact.
     """
-    fact = naming.derivation.fact(" ".join(("approach", str(number))))
+    fact = naming.derivation.fact(f"approach {number}")
     match None if fact is None else fact.relation.only[0]:
         case Link(
             Quantity("along", (Quantity("velocity", (Name(one),)), Unit() as axis)),

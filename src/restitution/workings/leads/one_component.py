@@ -95,7 +95,7 @@ def struck_at_rest(derivation: Derivation, naming: Naming, line: Line) -> str | 
 
 def went_from_rest(derivation: Derivation, naming: Naming, body: str, stage: int) -> bool:
     """Whether an impact of spheres set a body going that was at rest, and met nothing before."""
-    fact = derivation.fact(" ".join(("velocity", body)))
+    fact = derivation.fact(f"velocity {body}")
     match None if fact is None else fact.relation.options[0][-1].right:
         case Pair(x, y) if is_zero(x) and is_zero(y):
             pass
@@ -134,14 +134,14 @@ def angle_by_degrees(
             return None
     measured = "sin" if event.wall else "cos"
     if isinstance(left.arguments[1], Unit):
-        fact = derivation.fact(" ".join(("axis", str(event.number))))
+        fact = derivation.fact(f"axis {event.number}")
         axis = None if fact is None else fact.relation.only[-1].right
         axis = unsigned(axis)
         kind = "along" if axis == left.arguments[1] else "across"
     angle = size if (ratio == measured) == (kind == "along") else 90 - size
     turns = []
     for number in (stage, event.number):
-        fact = derivation.fact(" ".join(("axis", str(number))))
+        fact = derivation.fact(f"axis {number}")
         turns.append(None if fact is None else fact.relation.only[-1].right)
     for pair in (turns, turns[::-1]):
         match pair:
@@ -180,7 +180,7 @@ def _unit(
             pass
         case _:
             return None
-    fact = derivation.fact(" ".join(("axis", str(number))))
+    fact = derivation.fact(f"axis {number}")
     direction = None if fact is None else vector_worth(fact.relation.options[0][-1].right)
     if direction is None or (direction.x and direction.y):
         return naming.bold.unit(number, kind)

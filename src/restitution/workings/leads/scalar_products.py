@@ -190,7 +190,7 @@ def _stands(derivation: Derivation, line: Line, velocity: Expression) -> bool:
                     return True
     match velocity:
         case Quantity("velocity", (Name(body),), 0):
-            return derivation.fact(" ".join(("velocity", body))) is not None
+            return derivation.fact(f"velocity {body}") is not None
     return any(
         fact.kind == "given" and any(link.left == velocity for link in fact.relation.options[0])
         for fact in derivation.facts
@@ -204,7 +204,7 @@ def _by_its_angle(derivation: Derivation, velocity: Expression) -> tuple[Vector,
     """
     match velocity:
         case Quantity("velocity", (Name(body),), 0):
-            fact = derivation.fact(" ".join(("velocity", body)))
+            fact = derivation.fact(f"velocity {body}")
         case _:
             return ()
     match None if fact is None else fact.relation.only[0].right:
@@ -226,7 +226,7 @@ def _beside_a_wall(
 ) -> list[Vector]:
     """The velocities with which a body may come to a wall along **i** or **j**, at an angle."""
     number = next((e.number for e in derivation.events if e.wall and e.bodies[1] == wall), None)
-    axis = derivation.fact(" ".join(("axis", str(number))))
+    axis = derivation.fact(f"axis {number}")
     into = None if axis is None else direction_by_axes(axis.relation.only[-1].right)
     if into is None:
         return []
@@ -276,7 +276,7 @@ def _written_out(
 
 def _by_components(derivation: Derivation, line: Line, velocity: Expression) -> Expression | None:
     """A velocity by the components on which a line rests; None along a line that slants."""
-    axis = derivation.fact(" ".join(("axis", str(line.move.event))))
+    axis = derivation.fact(f"axis {line.move.event}")
     parts: dict[str, Expression] = {}
     for ref in line.premises:
         own = derivation.line(ref)

@@ -80,7 +80,7 @@ def _approaching(
     derivation: Derivation, event: Event, line: Vector
 ) -> tuple[Expression, Expression] | None:
     """The velocities of two spheres of the data that approach along a line in its sense."""
-    facts = [derivation.fact(" ".join(("velocity", body))) for body in event.bodies]
+    facts = [derivation.fact(f"velocity {body}") for body in event.bodies]
     sides = [fact.relation.only[-1].right for fact in facts if fact is not None]
     if len(sides) != 2 or event.number != 1:
         return None
@@ -153,7 +153,7 @@ def sense_of_a_normal(derivation: Derivation, naming: Naming, line: Line) -> Sen
     event = _event_of_the_data(derivation, naming, line)
     if event is None or not event.wall:
         return None
-    wall = derivation.fact(" ".join(("wall", event.bodies[1])))
+    wall = derivation.fact(f"wall {event.bodies[1]}")
     return None if wall is None else say("derived.since", facts=(fact_in_words(naming, wall),))
 
 

@@ -93,7 +93,7 @@ def _normal(naming: Naming, line: Line) -> Expression | None:
 
 def _of_a_wall_by_its_ends(naming: Naming, event: Event) -> Unit | None:
     """**i** or **j** where one is square to a wall that its ends give."""
-    fact = naming.derivation.fact(" ".join(("axis", str(event.number))))
+    fact = naming.derivation.fact(f"axis {event.number}")
     if fact is None or len(fact.relation.options) != 1:
         return None
     vector = vector_worth(fact.relation.only[-1].right)
@@ -119,7 +119,7 @@ def _across_a_wall(
     derivation: Derivation, naming: Naming, line: Line, speed: Expression
 ) -> Sentence | None:
     """The speed of a body of which the statement says at what angle to a wall it moves."""
-    fact = derivation.fact(" ".join(("velocity", *line.move.bodies)))
+    fact = derivation.fact(f"velocity {line.move.bodies[0]}")
     if fact is None or fact.id not in line.premises:
         return None
     match fact.relation.only[-1].right, speed:

@@ -451,7 +451,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
 
     def _is_of_one(self, body: str) -> bool:
         """Whether a mass is the number 1, which no line writes."""
-        fact = self._derivation.fact(" ".join(("mass", body)))
+        fact = self._derivation.fact(f"mass {body}")
         return fact is not None and fact.relation.only[-1].right == Number(Fraction(1))
 
     def _moves_along(self, line: Line) -> bool:

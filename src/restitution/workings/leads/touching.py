@@ -204,7 +204,7 @@ def _approach(
         body
         for body in (less, more)
         if number == 1
-        and (own := derivation.fact(" ".join(("velocity", body)))) is not None
+        and (own := derivation.fact(f"velocity {body}")) is not None
         and (velocity := vector_worth(own.relation.only[-1].right)) is not None
         and (velocity.x if axis == Unit("i") else velocity.y) == 0
     ]

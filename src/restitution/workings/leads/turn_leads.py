@@ -458,7 +458,7 @@ class TurnLeads(LinesAround):
 
     def _turn_of_wall(self, name: str) -> Expression | None:
         """The angle from **i** at which a wall is, where that is told."""
-        wall = self._derivation.fact(" ".join(("wall", name)))
+        wall = self._derivation.fact(f"wall {name}")
         match None if wall is None else wall.relation.only[-1].right:
             case Unit(axis):
                 return RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0))
@@ -495,7 +495,7 @@ class TurnLeads(LinesAround):
             axis_ = self._naming.layout(axis)
             return say("between.from", bodies=line.move.bodies, axis=axis_)
         names = {"body": body, "axis": self._naming.layout(axis)}
-        met = {" ".join(("velocity", other)) for other in event.bodies if other != body}
+        met = {f"velocity {other}" for other in event.bodies if other != body}
         assert isinstance(line.relation, Relation)
         later = line.relation.options[0][0]
         if not isinstance(later.left, Letter) or met.isdisjoint(map(str, line.premises)):

@@ -73,7 +73,7 @@ def _sign(derivation: Derivation, relation: Relation) -> tuple[Quantity, Order] 
             "along" | "across" as kind,
             (Quantity("velocity") as velocity, Quantity("line_of_centres", (), int(event))),
         ):
-            fact = derivation.fact(" ".join(("axis", str(event))))
+            fact = derivation.fact(f"axis {event}")
             axis = None if fact is None else fact.relation.only[0].right
             if isinstance(axis, Negate):
                 axis, order = axis.operand, _AGAINST[order]

@@ -279,12 +279,12 @@ class BoldLetters:
         """Whether a body comes to its first event by an angle, as the line of that has one."""
         if any(n < event.number and body in own.bodies for n, own in self._events.items()):
             return False
-        own = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
-        path = turn_of_path(self.derivation.fact(" ".join(("velocity", body))))
+        own = f"wall {event.bodies[1]}" if event.wall else f"axis {event.number}"
+        path = turn_of_path(self.derivation.fact(f"velocity {body}"))
         return path is not None and turn_of_line(self.derivation.fact(own)) is not None
 
     def _is_at_rest(self, body: str) -> bool:
-        fact = self.derivation.fact(" ".join(("velocity", body)))
+        fact = self.derivation.fact(f"velocity {body}")
         right = None if fact is None else fact.relation.only[-1].right
         return isinstance(right, Pair) and is_zero(right.x) and is_zero(right.y)
 
@@ -299,7 +299,7 @@ class BoldLetters:
 
     def _is_told_by_the_wall(self, body: str) -> bool:
         """Whether a velocity at the start is given by its angle with a wall."""
-        fact = self.derivation.fact(" ".join(("velocity", body)))
+        fact = self.derivation.fact(f"velocity {body}")
         nodes = () if fact is None else walk(fact.relation.only[-1].right)
         return any(isinstance(node, Polar) and node.wall is not None for node in nodes)
 
@@ -309,7 +309,7 @@ class BoldLetters:
             return False
         if any(n < number and body in event.bodies for n, event in self._events.items()):
             return True
-        fact = self.derivation.fact(" ".join(("velocity", body)))
+        fact = self.derivation.fact(f"velocity {body}")
         if fact is None:
             return True
         nodes = list(walk(fact.relation.only[-1].right))
@@ -332,7 +332,7 @@ class BoldLetters:
 
     def across_wall(self, wall: str) -> lay.Layout | None:
         """The direction of a wall turned to the left, as a vector; None where it is not told."""
-        fact = self.derivation.fact(" ".join(("wall", wall)))
+        fact = self.derivation.fact(f"wall {wall}")
         direction = None if fact is None else direction_in_numbers(fact.relation.only[-1].right)
         if direction is None:
             return None
@@ -370,7 +370,7 @@ class BoldLetters:
         coefficient is 0, says nothing of that.
         """
         axis = Quantity("line_of_centres", (), event.number)
-        coming = self.derivation.fact(" ".join(("approach", str(event.number))))
+        coming = self.derivation.fact(f"approach {event.number}")
         match None if coming is None else coming.relation.only:
             case (Link(Quantity("along", (_, direction)), ">"),) if direction == axis:
                 return True
@@ -420,7 +420,7 @@ class BoldLetters:
                 name = _RADIAL[which]
             elif not self.leads_into(event):
                 name = _EITHER_WAY.get(which, name)
-        elif which != "across" and self.derivation.fact(" ".join(("axis", str(number)))) is None:
+        elif which != "across" and self.derivation.fact(f"axis {number}") is None:
             # A line of centres that is worked out leads from the first sphere to the second.
             name = _FROM_THE_FIRST[which]
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}
@@ -526,7 +526,7 @@ def direction_of_event(derivation: Derivation, number: int) -> Vector | None:
         for line in (*above, *reversed(lines[first:]))
         if not isinstance(line.relation, Meaning)
     ]
-    fact = derivation.fact(" ".join(("axis", str(number))))
+    fact = derivation.fact(f"axis {number}")
     for value in (*sources, *(() if fact is None else (fact,))):
         assert isinstance(value.relation, Relation)
         match value.relation.options:
@@ -544,7 +544,7 @@ def _beside_a_path(derivation: Derivation, axis: Quantity) -> Vector | None:
     """
     in_the_line = _letter_in_the_line(derivation, axis)
     letter = in_the_line or next(filter(None, map(letter_of_offset, derivation.lines)), None)
-    fact = derivation.fact(" ".join(("axis", str(axis.stage))))
+    fact = derivation.fact(f"axis {axis.stage}")
     put_together = in_the_line is not None or any(
         line.move.record in ("assemble", "changed-velocity") and line.move.event == axis.stage
         for line in derivation.lines

@@ -95,7 +95,7 @@ class DataAngles:
         if event is None or fact.id in self._turned:
             return
         body = fact.id.partition(" ")[2]
-        of_line = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
+        of_line = f"wall {event.bodies[1]}" if event.wall else f"axis {event.number}"
         line_fact = self._derivation.fact(of_line)
         right = None if line_fact is None else line_fact.relation.only[-1].right
         match fact.relation.only[-1].right:
@@ -154,7 +154,7 @@ class DataAngles:
         self, fact: Fact, wall: str, angle: Fraction, line: Expression | None
     ) -> Iterator[Sentence]:
         """That a velocity that makes an angle with a wall is along a line of centres."""
-        own = self._derivation.fact(" ".join(("wall", wall)))
+        own = self._derivation.fact(f"wall {wall}")
         match None if own is None else own.relation.only[-1].right:
             case Unit(axis):
                 direction = (0 if axis == "i" else 90) - angle

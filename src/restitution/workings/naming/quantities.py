@@ -206,7 +206,7 @@ class Naming(Moments):
             vector, axis = tree.arguments
             axes = [axis]
             event = self.event_of_axis(axis)
-            name = "" if event is None else " ".join(("axis", str(event.number)))
+            name = "" if event is None else f"axis {event.number}"
             fact = self.derivation.fact(name)
             if fact is not None and fact.relation.only[0].sign == "=":
                 axes.append(fact.relation.only[0].right)
@@ -603,9 +603,7 @@ class Naming(Moments):
 
     def unit_of(self, event: Event | None, kind: str) -> Expression | None:
         """**i** or **j**, perhaps reversed, where that is along the line of an event, or across."""
-        fact = (
-            None if event is None else self.derivation.fact(" ".join(("axis", str(event.number))))
-        )
+        fact = None if event is None else self.derivation.fact(f"axis {event.number}")
         if fact is None or len(fact.relation.options) != 1:
             return None
         axis = fact.relation.only[-1].right
@@ -687,7 +685,7 @@ def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:
     for fact in derivation.facts:
         match fact.relation.options:
             case ((Link(Quantity("time", (), int()) as time, "=", Letter(name)),),) if (
-                fact.id == " ".join(("let", name))
+                fact.id == f"let {name}"
             ):
                 yield time, name
 

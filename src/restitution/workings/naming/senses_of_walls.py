@@ -69,7 +69,7 @@ def _against(derivation: Derivation, event: Event) -> Vector | None:
 
     None where it is not, and where something else than a line has a component in its direction.
     """
-    fact = derivation.fact(" ".join(("wall", event.bodies[-1])))
+    fact = derivation.fact(f"wall {event.bodies[-1]}")
     own = None if fact is None else direction_in_numbers(fact.relation.only[-1].right)
     normal = None if own is None else direction_of_event(derivation, event.number)
     if own is None or normal is None or not all(part.is_number for part in (*own, *normal)):

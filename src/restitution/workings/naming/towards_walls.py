@@ -30,7 +30,7 @@ def normal_towards(
     stands in the data.
     """
     body, wall = event.bodies
-    data = derivation.fact(" ".join(("velocity", body)))
+    data = derivation.fact(f"velocity {body}")
     earlier = any(e.number < event.number and body in e.bodies for e in derivation.events)
     vectors = (_given(derivation, event, line) for line in derivation.lines)
     given = next((vector for vector in vectors if vector is not None), None)

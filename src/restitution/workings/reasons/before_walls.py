@@ -61,7 +61,7 @@ def wall_reached(derivation: Derivation, letter: Expression) -> tuple[str, str] 
     """
     events = {event.number: event for event in derivation.events}
     for number, event in events.items():
-        own = derivation.fact(" ".join(("e", str(number))))
+        own = derivation.fact(f"e {number}")
         if not event.wall or own is None or own.relation.only[-1].right != letter:
             continue
         body = event.bodies[0]
@@ -71,7 +71,7 @@ def wall_reached(derivation: Derivation, letter: Expression) -> tuple[str, str] 
         other = next(after, None)
         if other is None or not other.wall:
             continue
-        axes = [derivation.fact(" ".join(("axis", str(n)))) for n in (number, other.number)]
+        axes = [derivation.fact(f"axis {n}") for n in (number, other.number)]
         normals = [coordinates(axis.relation.only[-1].right) for axis in axes if axis is not None]
         if len(normals) == 2 and None not in normals and _are_opposite(*normals):
             return body, other.bodies[1]

@@ -359,7 +359,7 @@ def _is_along_i(derivation: Derivation, component: Expression) -> bool:
         case Quantity("along", (Quantity("velocity"), Unit("i"))):
             return True
         case Quantity("along", (Quantity("velocity"), Quantity("line_of_centres", (), int(event)))):
-            fact = derivation.fact(" ".join(("axis", str(event))))
+            fact = derivation.fact(f"axis {event}")
             return fact is not None and fact.relation.only[0].right == Unit("i")
     return False
 

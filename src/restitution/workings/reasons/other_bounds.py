@@ -213,7 +213,7 @@ def _other_walls(solution: Solution, derivation: Derivation, line: Line) -> Iter
         and own.relation.only[0].sign == "="
     }
     for event in derivation.events:
-        fact = derivation.fact(" ".join(("within", str(event.number))))
+        fact = derivation.fact(f"within {event.number}")
         if fact is None or fact.id in cited or len(fact.relation.options) != 1:
             continue
         links = tuple(

@@ -158,7 +158,7 @@ class Reasons(PositiveReasons):
         bounds = self.known(line)
         match line.relation:
             case Relation(((*_, Link(right=velocity)),)) if (
-                bounds and " ".join(("impulse", str(line.move.event))) in line.premises
+                bounds and f"impulse {line.move.event}" in line.premises
             ):
                 parts = coordinates(velocity)
                 down = parts is not None and isinstance(parts[1], Negate)

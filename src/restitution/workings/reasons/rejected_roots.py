@@ -93,7 +93,7 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
     body, wall = naming.events[number].bodies
     otherwise = say("circle.towards", body=body, wall=wall)
     above = derivation.line(line.premises[0])
-    datum = " ".join(("velocity", body))
+    datum = f"velocity {body}"
     fact = derivation.fact(datum) if datum in line.premises else None
     if above is None or fact is None:
         return otherwise
