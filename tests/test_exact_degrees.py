@@ -107,3 +107,19 @@ def test_numbers_with_angles_that_are_no_parts_of_a_turn_are_merged_beside_roots
     angle = sp.atan(2)
     value = sp.sqrt(5) * sp.sin(angle, evaluate=False) / 20 - sp.Rational(1, 10)
     assert exact.tidy(value) == 0
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "speed"),
+    [("75°", "45°", "(√3 − 1)u/2"), ("15°", "30°", "(√6 + 3√2)u/6")],
+)
+def test_roots_of_fifteen_degrees_go_together_with_others(
+    first: str, then: str, speed: str
+) -> None:
+    text = (
+        f"wall W: along i\nsphere P: mass m, velocity u at {first} to W\nP hits W: e = 1/2\n"
+        f"sphere Q: mass m, velocity u at {first} to W\nQ hits W\n"
+        f"given angle(velocity(Q), W) = {then}\nfind speed(Q)"
+    )
+    ((answer,),) = (item.answers for item in solve(parse(text)).parts[None].items)
+    assert speed in answer.display

@@ -122,6 +122,12 @@ def is_standard(turns: Fraction) -> bool:
     return turns.denominator in _STANDARD
 
 
+def has_sums_of_surds(angle: Expr) -> bool:
+    """Whether the ratios of an angle are sums of surds, as those of 15° and 75° are."""
+    turns = turns_of(angle)
+    return turns is not None and turns.denominator == _STEPS
+
+
 def turns_of(angle: Expr) -> Fraction | None:
     """An angle as a multiple of π; None where it is no rational one."""
     turns = angle / sympy.pi
@@ -140,6 +146,7 @@ __all__ = [
     "cosine",
     "cosine_beside",
     "function_of",
+    "has_sums_of_surds",
     "is_standard",
     "sine",
     "sine_beside",

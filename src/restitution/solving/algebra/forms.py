@@ -9,7 +9,8 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.exact.degrees import function_of, with_ratio
+from restitution.exact.degrees import function_of, has_sums_of_surds, with_ratio
+from restitution.exact.simplicity import is_surd
 from restitution.exact.symbols import atoms_in, symbols_in
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, root
@@ -136,7 +137,13 @@ def tidy(x: sp.Expr) -> sp.Expr:
     if not x.has(sp.sin, sp.cos, sp.tan):
         return unnested(exact.tidy(x))
     masked, angles = _angles_as_letters(x)
-    return _with_angles(exact.tidy(neat(masked)), angles) if angles else exact.tidy(x)
+    if not angles:
+        return exact.tidy(x)
+    form = _with_angles(exact.tidy(neat(masked)), angles)
+    # Ratios of 15° and 75° have roots that go together with others: 2 − √3 + 4 cos² 75°.
+    surds = any(power.base.is_Rational for power in form.atoms(sp.Pow) if is_surd(power))
+    again = surds and any(map(has_sums_of_surds, angles.values()))
+    return exact.tidy(form) if again else form
 
 
 def _with_angles(x: sp.Expr, angles: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
