@@ -7,7 +7,7 @@ default that letters are positive.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import sympy as sp
@@ -60,6 +60,7 @@ from restitution.problem import (
     Unknown,
     once_a_problem,
     trees,
+    trees_of_step,
 )
 
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
@@ -82,30 +83,47 @@ def _roles(problem: Problem) -> dict[str, Role]:
             names.update(step.in_terms_of)
         elif isinstance(step, Impact) and step.e is None:
             names.add("e")
-    used, named = _angles(problem)
-    coefficients = _coefficients(problem)
-    positive, real = _components(problem)
-    measured = _measured(problem)
-    # What a letter is let be is measured, whatever is asked of it.
-    used -= {step.letter for _, step in problem.steps() if isinstance(step, Let)} & measured.keys()
+    data = _without_questions(problem)
+    of_data = {letter for tree in trees(data) for letter in letters(tree)}
+    by_data, by_all = _by_places(data), _by_places(problem)
     roles: dict[str, Role] = {}
     for name in sorted(names):
-        if name in coefficients:
-            role = COEFFICIENT
-        elif name in used or name in named:
-            role = ACUTE if name in used or name not in measured else measured[name]
-        elif name in real and name not in positive:
-            role = REAL
-        elif name in measured and name not in positive:
-            role = measured[name]
-        else:
-            role = POSITIVE
+        role = by_data.get(name) or by_all.get(name, POSITIVE)
+        if name in of_data and name not in by_data and role.kind != "angle":
+            role = POSITIVE  # a question does not say which sign a letter of the data has
         roles[name] = role
     for _, step in problem.steps():
         match step:
             case Let(letter, Binary("+" | "-" as sign, Letter(one), Letter(other))):
                 roles[letter] = of_two_angles(roles[one], sign, roles[other]) or roles[letter]
     return {name: _narrowed(role, name, problem) for name, role in roles.items()}
+
+
+def _without_questions(problem: Problem) -> Problem:
+    """The data of a problem: all but what is asked and what is to be shown."""
+    parts = (
+        replace(part, steps=tuple(s for s in part.steps if not isinstance(s, Find | Show)))
+        for part in problem.parts
+    )
+    return replace(problem, parts=tuple(parts))
+
+
+def _by_places(problem: Problem) -> dict[str, Role]:
+    """The roles of the letters that stand where something follows for them."""
+    used, named = _angles(problem)
+    coefficients = _coefficients(problem)
+    positive, real = _components(problem)
+    measured = _measured(problem)
+    # What a letter is let be is measured, whatever is asked of it.
+    used -= {step.letter for _, step in problem.steps() if isinstance(step, Let)} & measured.keys()
+    return {
+        **measured,
+        **dict.fromkeys(real, REAL),
+        **dict.fromkeys(positive, POSITIVE),
+        **{name: measured.get(name, ACUTE) for name in named},
+        **dict.fromkeys(used, ACUTE),
+        **dict.fromkeys(coefficients, COEFFICIENT),
+    }
 
 
 def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
@@ -244,29 +262,64 @@ def _coefficients(problem: Problem) -> set[str]:
 
 
 def _components(problem: Problem) -> tuple[set[str], set[str]]:
-    """Letters in a positive role, and those that are a signed component or coordinate."""
-    positive: set[str] = set()
-    real: set[str] = set()
+    """Letters in a positive role, and those that are a signed component or coordinate.
+
+    A vector says which of the two a letter is where no vector before it does, in the order of
+    `_introductions`: what follows from the data may then be written down without changing them.
+    """
+    sizes: set[str] = set()
+    for values in (
+        *((sphere.mass, sphere.radius) for sphere in problem.spheres),
+        *((wall.radius,) for wall in problem.walls),
+    ):
+        for value in values:
+            if isinstance(value, Expression):
+                sizes.update(letters(value))
+    for _, step in problem.steps():
+        if isinstance(step, Impact) and step.e is not None and not isinstance(step.e, Letter):
+            sizes.update(letters(step.e))
+    introduced: set[str] = set()
+    signed: set[str] = set()
+    for introduction in _introductions(problem):
+        positive, real = introduction
+        sizes |= positive - introduced
+        signed |= real - positive - introduced
+        introduced |= positive | real
+    return sizes, signed - sizes
+
+
+def _introductions(problem: Problem) -> Iterator[tuple[set[str], set[str]]]:
+    """Letters that are sizes, and those that are components, of all vectors that count alike.
+
+    The velocities of the spheres come first, then where bodies are and what walls run along, and
+    last the steps in their order.
+    """
+    yield _of_vectors(sphere.velocity for sphere in problem.spheres)
+    positive, real = _of_vectors(wall.along for wall in problem.walls)
     for sphere in problem.spheres:
-        for value in (sphere.mass, sphere.radius):
-            if isinstance(value, Expression):
-                positive.update(letters(value))
         _coordinates(sphere.position, positive, real)
-    reached = [step.target for _, step in problem.steps() if isinstance(step, Arrival)]
-    for target in reached:
-        _coordinates(target, positive, real)
     for wall in problem.walls:
-        for value in wall.lengths:
-            if isinstance(value, Expression):
-                positive.update(letters(value))
+        for place in (wall.through, wall.start, wall.end, wall.centre):
+            if isinstance(place, Expression):
+                positive.update(letters(place))
     for point in problem.points:
         positive.update(letters(point.position))
-    bodies_at = {id(sphere.position) for sphere in problem.spheres} | set(map(id, reached))
-    places = {id(point.position) for point in problem.points} | {
-        id(value) for wall in problem.walls for value in (wall.through, wall.start, wall.end)
-    }
-    for tree in trees(problem):
-        if id(tree) in bodies_at or id(tree) in places:
+    yield positive, real
+    for _, step in problem.steps():
+        if isinstance(step, Arrival):
+            positive, real = set[str](), set[str]()
+            _coordinates(step.target, positive, real)
+            yield positive, real
+        else:
+            yield _of_vectors(trees_of_step(step))
+
+
+def _of_vectors(values: Iterable[object]) -> tuple[set[str], set[str]]:
+    """The letters of vectors, and of vectors in what is no vector: sizes, and components."""
+    positive: set[str] = set()
+    real: set[str] = set()
+    for tree in values:
+        if not isinstance(tree, Expression):
             continue
         if is_vector(tree) and not has_quantity(tree):
             _vector_letters(tree, positive, real)
@@ -275,17 +328,18 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
                 _vector_letters(node, positive, real)
             elif isinstance(node, Polar):
                 positive.update(letters(node.size))
-    for _, step in problem.steps():
-        if isinstance(step, Impact) and step.e is not None and not isinstance(step.e, Letter):
-            positive.update(letters(step.e))
     return positive, real
 
 
 def _coordinates(place: object, positive: set[str], real: set[str]) -> None:
-    """A coordinate of a sphere, where it is or gets to, may be any number."""
+    """A coordinate of a sphere, where it is or gets to, may be any number.
+
+    A letter of both coordinates, as in ``(a, 2a)``, measures lengths.
+    """
     if isinstance(place, Pair):
+        both = letters(place.x) & letters(place.y)
         for part in (place.x, place.y):
-            (real if _lone(part) else positive).update(letters(part))
+            (real if _lone(part) and not both else positive).update(letters(part))
 
 
 def _vector_letters(tree: Expression, positive: set[str], real: set[str]) -> None:
