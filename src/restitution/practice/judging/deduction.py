@@ -44,6 +44,7 @@ _STEPS = 20
 _CLOSE = 1e-7
 # What rounding to three figures may move.
 _ROUNDED = 3e-3
+_FIGURES = 3
 _LATEST = 6
 _TRIES = 24
 _FUNCTIONS: Mapping[str, Callable[[Array], Array]] = {
@@ -233,7 +234,7 @@ class _Plane:
             return False
         apart, size = apart[:, there], size[:, there]
         rounded = any(given.decimals for given in (entry, *earlier))
-        close = (_ROUNDED if rounded else _CLOSE) * (size + 1e-3)
+        close = (_rounding_of(entry) if rounded else _CLOSE) * (size + 1e-3)
         return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= close))
 
     def _met(self, earlier: Sequence[Entry], x: Array) -> Array:
@@ -318,6 +319,16 @@ class _Plane:
             raise _UnfitError
         columns = self.columns[symbol]
         return tuple(x[k] for k in columns) if len(columns) == 2 else x[columns[0]]
+
+
+def _rounding_of(entry: Entry) -> float:
+    """What its rounding may move a line by: of 1.06 half of its last place is more than usual."""
+    own = (
+        float(decimal.half_unit / abs(decimal.value))
+        for decimal in entry.decimals
+        if decimal.figures >= _FIGURES and decimal.value
+    )
+    return max((_ROUNDED, *own))
 
 
 def _value(symbol: Expression, entries: Sequence[Entry], world: World) -> Any:
