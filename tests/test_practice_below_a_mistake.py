@@ -222,3 +222,17 @@ def test_a_result_at_the_end_of_a_chain_over_several_lines_is_printed() -> None:
     assert states(marked(SHOWN, None, *lines, *more, **letters))[-1] == "A1* earned"
     wrong = (more[0], "= 2tanα/(1 + e)")
     assert states(marked(SHOWN, None, *lines[:3], *wrong, **letters))[-1] == "A1* lost"
+
+
+def test_an_impossible_cosine_follows_to_its_own_figures() -> None:
+    """Of 1.06 half of the last place is nearly half a percent."""
+    wall = "wall W: along i\nsphere P: mass 2, velocity 11 at 62° to W\nP hits W: e = 0.43\n"
+    problem = restitution.parse(f"{wall}find speed(P), angle(velocity(P), W)")
+    lines = ["speed after = 0.43 × 11 = 4.73", "4.73cosθ = 11cos62 = 5.16", "cosθ = 1.09, so no"]
+    letters = {"θ": "angle(velocity(P), W)"}
+    marking = restitution.mark(problem, "\n".join(lines), letters=letters)
+    said = [line["verdict"] for line in marking.json()["lines"]]
+    assert said == ["false", "follows", "follows"]
+    lines[2] = "cosθ = 1.12, so no"
+    marking = restitution.mark(problem, "\n".join(lines), letters=letters)
+    assert marking.json()["lines"][2]["verdict"] == "false"

@@ -164,3 +164,13 @@ def test_the_change_for_a_body_is_one_of_velocity_or_of_momentum() -> None:
     statement += "A hits B\ngiven velocity(A) = i + 2j\nfind line_of_centres"
     lines = ["change for A = -3i + j", "change for A = -6i + 2j", "change for A = -3i + 3j"]
     assert [verdicts(statement, line) for line in lines] == [["true"], ["true"], ["false"]]
+
+
+def test_the_angle_of_a_path_beside_a_wall_that_slants_is_to_an_axis_too() -> None:
+    slanting = (
+        "wall W: along 3i - j\nsphere P: mass 2, velocity 5i - 12j\nP hits W: e = 1/2\n"
+        "find velocity(P)"
+    )
+    line = "angle of wall: tan⁻¹(1/3) = 18.43°, angle of path: tan⁻¹(12/5) = 67.38°"
+    assert verdicts(slanting, line, "angle of path = 48.95") == ["true", "true"]
+    assert verdicts(slanting, line, "angle of path = 57.38") == ["true", "false"]

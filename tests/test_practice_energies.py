@@ -206,3 +206,23 @@ def test_a_wrong_gain_is_no_loss() -> None:
     assert verdicts(_GAIN, gain, "total KE lost = 15 - 2.5 = 12.5") == ["false", "follows"]
     turned = "KE lost by A = 5 - 21 = -16"
     assert verdicts(_GAIN, turned, "KE lost = 16 - 6 = 10") == ["false", "follows"]
+
+
+def test_a_gain_in_all_impacts_is_one_where_the_loss_in_all_is_asked() -> None:
+    """B has 6.5 at first, 12.5 behind A and 9 behind the wall."""
+    twice = _GAIN.replace("3j\n", "3j\nwall W: along j\n").replace("find energy_lost", "")
+    twice += "B hits W: e = 3/4\nfind total_energy_lost"
+    lines = ["B gains 9 - 6.5 = 2.5", "B gains 12.5 - 6.5 = 6", "B loses 12.5 - 9 = 3.5"]
+    assert verdicts(twice, *lines) == ["true", "true", "true"]
+    assert verdicts(twice, "KE gained by B = 4.5") == ["false"]
+
+
+def test_an_energy_with_a_component_missing_spoils_the_loss() -> None:
+    """That before or after may be right: the difference is not."""
+    lines = ["KE before = 20 + 6.5 = 26.5", "KE after = ½ × 2 × 1² + ½ × 4² = 9", "loss = 17.5"]
+    right = ["KE before = 26.5", "KE after = 5 + 12.5 = 17.5", "loss = 9"]
+    problem = restitution.parse(_GAIN)
+    for script, earned in ((lines, 0), (right, 1)):
+        marks = restitution.mark(problem, "\n".join(script)).json()["marks"]
+        methods = [x for x in marks["points"] if x["kind"][-2:] == "M1" and "energy" in x["for"]]
+        assert [x["state"] for x in methods] == ["earned" if earned else "lost"]

@@ -553,3 +553,30 @@ def test_what_is_lost_may_be_said_below_its_negative() -> None:
     assert verdicts(statement, *lines) == ["false", "true"]
     assert points(statement, *lines)[-1][2]
     assert not points(statement, lines[0])[-1][2]
+
+
+TURNED_TO = """sphere A: mass 2, velocity 5i + 3j
+sphere B: mass k, velocity -3i + j
+A hits B: along i, e = 1/2
+given velocity(A) in the direction of -i + 3j
+find k
+"""
+
+
+def test_a_vector_gives_the_value_of_its_component() -> None:
+    for first in ("v_A = -i + 3j", "A: -i + 3j"):
+        assert of(TURNED_TO, "correct value", first) == [True]
+    assert of(TURNED_TO, "correct value", "v_A = -2i + 3j") == [False]
+
+
+def test_a_component_that_stays_is_kept_in_vectors_below_a_slip() -> None:
+    pair = (
+        "sphere A: mass 2m, velocity u i + 4u j\nsphere B: mass m, velocity 3u i - 2u j\n"
+        "A hits B: along j, e = 1/3\nfind velocity(A), velocity(B)"
+    )
+    laws = ["8mu - 2mu = 2ma + mb", "b - a = 2u", "a = 4u", "b = 6u"]
+    vectors = "vA = ui + 4uj, vB = 3ui + 6uj"
+    letters = {"a": "along(velocity(A), j)", "b": "along(velocity(B), j)"}
+    stays = "component that the impact does not change"
+    assert of(pair, stays, *laws, vectors, **letters) == [True]
+    assert of(pair, stays, *laws, "vA = 4uj, vB = 6uj", **letters) == [False]

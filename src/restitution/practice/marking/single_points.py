@@ -236,14 +236,25 @@ class SinglePoints(PrincipleLines):
 
     def _of_other_energy(self, point: MarkPoint) -> PointMark | None:
         """An energy without all its terms, beside one that is right: the method needs both."""
-        if point.principle != "energy" or self._has_true_line(point):
+        answers = [
+            other
+            for other in self.scheme.points
+            if point.id in other.depends and other.item is not None
+        ]
+        if point.principle != "energy" or any(map(self._has_true_line, answers or [point])):
             return None
-        for line, use in self._uses(point):
-            if line.verdict == "false" and line.mistake is not None:
-                named = line.mistake.kind == "misconception"
-                kept, why = self._with_mistake(line, use)
-                if named and not kept:
-                    return PointMark(point, "lost", line.line.number, why)
+        alone = sum(x.letter == "M" and x.principle == "energy" for x in self.scheme.points) == 1
+        wrong = [
+            (line, use)
+            for line in self.lines
+            if line.verdict == "false" and has_name(line)
+            for use in line.uses
+            if use.principle == "energy" and (alone or use.event == point.event)
+        ]
+        for line, use in wrong:
+            kept, why = self._with_mistake(line, use)
+            if not kept:
+                return PointMark(point, "lost", line.line.number, why)
         return None
 
     def _of_a_part(self, point: MarkPoint) -> PointMark | None:
@@ -396,22 +407,30 @@ class SinglePoints(PrincipleLines):
         seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)
         if value.state != "earned" and seen is not None and not self._is_withdrawn(lost, seen):
             return self._earned(point, seen, "seen here")
-        if value.state == "earned" or lost is not None:
+        if value.state == "earned" or (lost is not None and self._is_named(lost)):
             return value if value.state == "earned" else lost or value
         used = next(
             (
                 line
                 for line in self.lines
                 if self.values.carries(point, line)
+                and (lost is None or (line.verdict in SOUND and has_vector(line)))
                 and not (self._is_unresolved(line) or self._is_exchanged(point, line))
                 and (not self._is_at_old_wall(line) or self._is_at_wrong_angle(point, line))
             ),
             None,
         )
-        used = used or next(
-            (x for x in self.lines if x.grounded and self.values.carries_of_other(point, x)), None
-        )
-        return value if used is None else self._earned(point, used, "used here")
+        if lost is None:
+            used = used or next(
+                (x for x in self.lines if x.grounded and self.values.carries_of_other(point, x)),
+                None,
+            )
+        return lost or value if used is None else self._earned(point, used, "used here")
+
+    def _is_named(self, lost: PointMark) -> bool:
+        """Whether a point is lost to a mistake that has a name, and not to a slip or to none."""
+        line = self._line(lost.line)
+        return line is None or line.verdict != "false" or has_name(line)
 
     def _is_of_other_body_alone(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line speaks of other bodies than a point, and has no component in exchange."""

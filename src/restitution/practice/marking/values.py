@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -30,14 +29,11 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.support import is_sum_for_product
-from restitution.practice.marking.alternatives import Alternatives
+from restitution.practice.marking.carried_components import CarriedComponents
 from restitution.practice.marking.line_contents import (
     Match,
-    listed_numbers,
-    numbers_into_a_wall,
-    sizes_of,
 )
-from restitution.practice.marking.lines import is_slip, ratios_of_angles
+from restitution.practice.marking.lines import ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
     are_close,
@@ -56,7 +52,6 @@ from restitution.problem import Compare, Given
 from restitution.records import dataclass
 from restitution.vector import Vector
 
-_STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
 # So near, relative to it, a decimal may be meant for a value that stands above.
 _CONVERTED = 0.05
 # So near is the end of a range, as a decimal too.
@@ -65,7 +60,6 @@ _END, _ZERO = 0.006, 1e-9
 _FIGURES = 3
 _SEVERAL = 2
 # What is said of a line that rests on several laws.
-_OF_ACROSS = ("across-changed", "across-exchanged")
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
 _KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
@@ -95,7 +89,7 @@ def _bounds_of(point: MarkPoint) -> Iterator[tuple[str, Expression, Expression]]
 
 
 @dataclass(frozen=True, eq=False)
-class Values(Alternatives):
+class Values(CarriedComponents):
     """The values of a part, and how the lines of a script reach them."""
 
     def of_his_own(self) -> Values:
@@ -124,6 +118,7 @@ class Values(Alternatives):
             computed = computed and any(self._computes(tree, line, open_) for tree in trees)
             between = point.letter == "A" and point.item is None
             computed = computed or (between and self.gives_multiple(point, line))
+            computed = computed or (between and self.gives_part(point, line))
             whole = self._gives_whole(point.link.left, line)
             if not computed and (not whole or self.is_slanted(point)):
                 return None
@@ -487,100 +482,6 @@ class Values(Alternatives):
             for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
             for name in names_in(side)
-        )
-
-    def is_seen(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether the value of a point stands in a line that states nothing about it.
-
-        A whole number is none, as too many are alike, but beside a word such as *perp*.
-        """
-        link = point.link
-        slipped = line.verdict == "false" and is_slip(line) and bool(line.line.links)
-        if link is None or point.shown or not (line.verdict in ("remark", "true") or slipped):
-            return False
-        if not isinstance(link.left, Quantity) or self.is_direction(point):
-            return False
-        if line.verdict == "true" and self.is_product(point, line):
-            return True
-        # What is worked out without a name is seen as it stands, and so if wrongly: 0.6 × 8 sin 40.
-        bare = bool(line.uses) and all(use.principle == "arithmetic" for use in line.uses)
-        worked = slipped or (line.verdict == "true" and bare and not line.line.values)
-        left = line.line.links[0].readings[0].left if worked and line.line.links else None
-        values = line.line.values if left is None else () if any(names_in(left)) else (left,)
-        across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
-        at_wall = point.principle in ("component", "restitution") and len(point.bodies) < _SEVERAL
-        before = point.principle == "component"
-        into = numbers_into_a_wall(line.line.text, before=before) if at_wall else frozenset[int]()
-        if before and line.verdict == "remark":
-            own = (x.stage for x in quantities_in(link.left) if x.kind == "velocity")
-            start = set(own) == {0}
-            into |= listed_numbers(line.line.text, before=start)
-        return any(
-            any(
-                self._is_worth(value, tree, line)
-                or (is_fine(value) and self._is_rounded_to(value, tree, line))
-                for tree in sizes_of(link.left)
-            )
-            or self._is_vector_part(value, point, line)
-            for value in values
-            if across
-            or not (isinstance(value, Number) and value.value.denominator == 1)
-            or value.value in into
-        )
-
-    def is_at_a_wall(self, point: MarkPoint) -> bool:
-        """Whether a point is for the component of one velocity alone, as at a wall."""
-        link = point.link
-        if link is None:
-            return False
-        after = {quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"}
-        return len(after) == 1 and len(point.bodies) < _SEVERAL
-
-    def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
-        link = point.link
-        if link is None or point.principle not in ("unchanged", "restitution"):
-            return False
-        own = point.principle == "unchanged"
-        velocity = next(
-            (quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"), None
-        )
-        if line.verdict == "remark":
-            return any(
-                (own and self._is_worth(value, link.right, line))
-                or (velocity is not None and self._has_part(value, velocity, point, line))
-                for value in line.line.values
-            )
-        if velocity is None or line.verdict not in ("true", "follows", "false"):
-            return False
-        wrong = line.verdict == "false"
-        nameless = line.mistake is not None and line.mistake.id in (None, *_OF_ACROSS)
-        if wrong and not own and not nameless:
-            return False  # what is wrong in a velocity is most often the component that changes
-        kinds = ("speed", "energy") if own and not wrong else ()
-        if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):
-            return True
-        if not wrong and self._has_square(link.right, line):
-            return True
-        if not wrong and own and self._is_in_a_tangent(link.right, line):
-            return True
-        vector = self.value_of(velocity, line, open_=own and not wrong)
-        return vector is not None and self._has_part(vector, velocity, point, line)
-
-    def bounds_component(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a true inequality has the component of a point in letters: ``5fu/12 > u/4``."""
-        link = point.link
-        if link is None or line.verdict != "true" or not isinstance(link.left, Quantity):
-            return False
-        known = letters(link.right)
-        return any(
-            claim.sign in FLIPPED
-            and any(
-                letters(side) == known and self._is_worth(side, link.left, line)
-                for side in (claim.left, claim.right)
-            )
-            for chain in chains(line)
-            for claim in chain
         )
 
     def states(self, point: MarkPoint, line: JudgedLine) -> bool:

@@ -86,7 +86,7 @@ class AngleNames(EnergyNames):
     def angles_to_axes(self, event: int) -> Iterator[Expression]:
         """The angles to i, or j, of a line of centres that slants, and of velocities beside it.
 
-        At a blow they are those of the velocity of the body that receives it.
+        At a wall that slants, and at a blow, they are those of the velocity of the body there.
         """
         met = self.bodies_met(event)
         match self.events[event - 1] if 0 < event <= len(self.events) else None:
@@ -95,6 +95,8 @@ class AngleNames(EnergyNames):
             case Impact(along=along) if len(met) == 2 and not isinstance(along, Unit):
                 named = [name for name in self.features.names if name in met]
                 lines = [self.of("velocity", name, event) for name in named] or [self.line(event)]
+            case Impact() if len(met) == 1 and self.is_beside_a_slant(event):
+                lines = [self.of("velocity", met[0], event)]
             case _:
                 return
         for line in lines:
@@ -102,6 +104,11 @@ class AngleNames(EnergyNames):
             yield angle
             yield Binary("-", RIGHT_ANGLE, angle)
             yield Binary("-", STRAIGHT_ANGLE, angle)
+
+    def is_beside_a_slant(self, event: int) -> bool:
+        """Whether a wall that is hit slants, and the angle is not said to be to a wall."""
+        to_wall = self.features.wall or not set(self.features.names).isdisjoint(self.walls)
+        return not to_wall and self.is_slanting(self.wall(event))
 
     def inclinations(self, event: int) -> Iterator[Expression]:
         """The angles of velocities to the line of centres, measured either way."""

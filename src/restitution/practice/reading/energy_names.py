@@ -38,11 +38,12 @@ class EnergyNames(VelocityNames):
             gain = "gain" in self.features.heads
             either = "change" in self.features.heads
             if body is not None:
-                own = (Quantity("energy", (Name(body),), stage) for stage in (before, after))
-                lost = Binary("-", *own)
-                yield Negate(lost) if gain else lost
-                if either:
-                    yield lost if gain else Negate(lost)
+                for start in self.starts_of_a_change(before):
+                    own = (Quantity("energy", (Name(body),), stage) for stage in (start, after))
+                    lost = Binary("-", *own)
+                    yield Negate(lost) if gain else lost
+                    if either:
+                        yield lost if gain else Negate(lost)
             else:
                 yield from self.changes_of_energy_asked(gain)
                 last = Quantity("energy_lost", (), after)
@@ -65,6 +66,14 @@ class EnergyNames(VelocityNames):
             yield Quantity("energy", (), stage)
             if len(met := self.bodies_met(event)) == 1 and not self.features.both:
                 yield Quantity("energy", (Name(met[0]),), stage)  # who comes to a wall alone
+
+    def starts_of_a_change(self, before: int) -> tuple[int, ...]:
+        """The stages since which a body's energy may change: an impact, or all that are asked of.
+
+        Where what all impacts lose is asked, B may gain from the first to the last.
+        """
+        of_all = any(self.asked("total_energy_lost"))
+        return (before, 0) if of_all and before else (before,)
 
     def changes_of_energy_asked(self, gain: bool) -> Iterator[Expression]:
         """What one body loses of its kinetic energy, or gains, where the question asks for it."""

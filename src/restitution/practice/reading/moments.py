@@ -133,14 +133,16 @@ class Moments:
             return
         axes = [features.axis] if isinstance(features.axis, Unit) else []
         if features.lies and features.axis is None and not features.timed:
-            beside = {
-                Name(body.name) for body in self.problem.walls if isinstance(body.along, Unit)
-            }
-            axes = [Unit("i"), Unit("j")] if wall not in beside else []
+            axes = [Unit("i"), Unit("j")] if self.is_slanting(wall) else []
         for axis in axes:
             own = Quantity("angle", (wall, axis))
             yield own
             yield Binary("-", STRAIGHT_ANGLE, own)
+
+    def is_slanting(self, wall: Expression | None) -> bool:
+        """Whether something is a wall that is not along an axis."""
+        beside = {Name(body.name) for body in self.problem.walls if isinstance(body.along, Unit)}
+        return wall is not None and wall not in beside
 
     def after(self, event: int) -> Stage:
         """The stage just after an event."""

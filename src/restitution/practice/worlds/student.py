@@ -36,6 +36,8 @@ _CHOOSING = 3
 """In so many steps the equations are chosen anew; after that they stay."""
 _INDEPENDENT = 1e-5
 _SMALL = 1e-6
+# So far from the true values equations are that cannot hold: ``4.8 cos θ = 5.07``.
+_FAR = 1e3
 _NEAR = 1e-9
 
 
@@ -346,7 +348,9 @@ def _solved(
         world = _put(kinds, base, x, timed)
         if step >= _CHOOSING - 1 and np.max(np.abs(move)) < _NEAR * (1 + np.max(np.abs(x))):
             break
-    return retimed(world, base) if np.all(np.isfinite(x)) else None
+    start = kinds.values(base)
+    lost = not np.all(np.isfinite(x)) or np.max(np.abs(x)) > _FAR * (1 + np.max(np.abs(start)))
+    return None if lost else retimed(world, base)
 
 
 def _put(kinds: _Unknowns, base: World, x: Array, timed: bool) -> World:
