@@ -161,3 +161,17 @@ def test_what_stays_is_shown_by_the_speed_of_one_sphere() -> None:
     assert own[stays] == "earned"
     own = purposes(BOTH, "b", "speed of A = √(1 + 2) = √3", "speed of B = √(3² + 4²) = 5")
     assert own[stays] == "earned"
+
+
+def test_a_law_at_the_first_wall_is_shown_above_a_mistake_at_the_second() -> None:
+    lane = (
+        "wall W: along i, through (0, 0)\nwall V: along i, through (0, 6)\n"
+        "sphere P: at (0, 3), velocity 2i - 4j\nP hits W: e = 1/4\nP hits V: e = 1/4\n"
+        "find velocity(P, 1), velocity(P)"
+    )
+    problem = solution_of(lane)
+    letters = {"v1": "velocity(P, 1)", "v2": "velocity(P, 2)"}
+    for second in ("v2 = 2i + ¼j", "v2 = 2i - j"):
+        marking = restitution.mark(problem, f"v1 = 2i + j\n{second}", letters=letters)
+        laws = [x.state for x in marking.marks.points if "law" in x.point.purpose]
+        assert laws == ["earned", "lost"]

@@ -748,3 +748,45 @@ def test_ratios_colons_and_centres_that_are_apart() -> None:
     declared = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
     found = marked(PAIR + "velocity(A)", lines[0], "v : w = 3 : 5", **declared)
     assert [line["verdict"] for line in found["lines"]] == ["true", "false"]
+
+
+_QUAY = "wall W: along i\nsphere P: mass 2, velocity 12i - 5j\nP hits W: e = 3/5\nfind energy_lost"
+_IN_LINE = (
+    "sphere A: mass m, velocity 6u i\nsphere B: mass 2m, at rest\n"
+    "A hits B: along i, e = 1/2\nfind velocity(A), velocity(B)"
+)
+# A changes by -4i + 2j.
+_SEEN = (
+    "sphere A: mass 1, velocity 5i + j\nsphere B: mass 2, velocity -i + 3j\nA hits B\n"
+    "given velocity(A) = i + 3j\nfind line_of_centres, velocity(B)"
+)
+_BOX = (
+    "sphere P: mass 2, velocity 6i - 4j\nwall AB: along i\nwall BC: along j\n"
+    "P hits AB: e = 1/2\nP hits BC: e = 2/3\nfind velocity(P)"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "verdict"),
+    [
+        (_QUAY, "before: speed 13, after: speed √153", "true"),
+        (_QUAY, "before: speed 13, after: speed √150", "false"),
+        (_IN_LINE, "A 0 and B 3u", "remark"),
+        (_SEEN, "change of A is -4i + 2j which is along the line of centres", "true"),
+        (_SEEN, "parallel to 2i - j", "true"),
+        (_SEEN, "so parallel to 2i + j", "false"),
+        (_BOX, "after AB: 6i + ½(4)j = 6i + 2j", "true"),
+        (_BOX, "after AB: 6i - ½(4)j = 6i - 2j", "false"),
+    ],
+)
+def test_what_is_listed_or_said_behind_a_value(statement: str, line: str, verdict: str) -> None:
+    assert verdicts(statement, line) == [verdict]
+
+
+def test_a_list_of_bodies_gives_their_velocities() -> None:
+    pair = _IN_LINE.replace("e = 1/2", "e = 1/5")
+    for line in ("A 6u/5 and B 12u/5", "so A 1.2u, B 2.4u", "A 6u/5 i and B 12u/5 i"):
+        marks = restitution.mark(solution_of(pair), line).marks
+        assert marks.earned == marks.of
+    for line in ("A 2u and B 2u", "A m and B 2m"):
+        assert restitution.mark(solution_of(pair), line).marks.earned == 0

@@ -403,6 +403,8 @@ class SinglePoints(PrincipleLines):
         condition = self._condition(point) if lost is None and not point.shown else None
         if condition is not None:
             return self._earned(point, condition, "")
+        if (shown := self._carried_above(point, lost)) is not None:
+            return self._earned(point, shown, "used here")
         value = self._value(point)
         seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)
         if value.state != "earned" and seen is not None and not self._is_withdrawn(lost, seen):
@@ -426,6 +428,13 @@ class SinglePoints(PrincipleLines):
                 None,
             )
         return lost or value if used is None else self._earned(point, used, "used here")
+
+    def _carried_above(self, point: MarkPoint, lost: PointMark | None) -> JudgedLine | None:
+        """A true line with the component after a wall, above a mistake that may be at another."""
+        if lost is None or lost.line is None or not self.values.is_at_a_wall(point):
+            return None
+        above = (x for x in self.lines if x.line.number < lost.line and x.verdict == "true")
+        return next((x for x in above if x.grounded and self.values.carries(point, x)), None)
 
     def _is_named(self, lost: PointMark) -> bool:
         """Whether a point is lost to a mistake that has a name, and not to a slip or to none."""
