@@ -68,6 +68,7 @@ from restitution.planning.routes.items import write_item
 from restitution.planning.routes.late_facts import write_with_facts
 from restitution.planning.routes.order import Solver
 from restitution.planning.routes.refusals import note_of, write_refusal
+from restitution.planning.routes.shown_above import write_by_a_shown_result
 from restitution.planning.shows.kept_letters import write_in_its_letters
 from restitution.planning.unfinished import (
     answer_of,
@@ -584,7 +585,10 @@ def _write_item(
                 with_coefficients_given(scene, solver, whole)
         case Value():
             asked = with_angles_given(scene, staged(problem, item.expression, now))
-            if not write_with_facts(scene, solver, name):
+            if not (
+                write_with_facts(scene, solver, name)
+                or write_by_a_shown_result(scene, solver, asked, name)
+            ):
                 write_item(scene, solver, asked, name)
             if scene.kept:
                 write_by_offset(scene, name)

@@ -145,7 +145,9 @@ class ChainsInFigures:
         plain = plain or elsewhere
         ratio = isinstance(links[0].left, Apply) and line.move.id != "define"
         worked = calculated and (ratio or self._only_works_out(line))
-        if line.move.id == "put" and self._figures.has_known(trees[1]):
+        if line.move.id == "put" and (
+            self._figures.has_known(trees[1]) or (len(links) > 1 and self._is_of_a_result(line))
+        ):
             worked = False  # what is put in is shown first
         if (
             not plain
@@ -213,6 +215,11 @@ class ChainsInFigures:
             if isinstance(given.left, Letter) and self.in_figures(given).sign == "≈":
                 return True
         return False
+
+    def _is_of_a_result(self, line: Line) -> bool:
+        """Whether values are put into what was to be shown."""
+        shown = {end.line for end in self._derivation.items if end.shown}
+        return bool(shown & set(numbers_in(line.premises)))
 
     def _only_works_out(self, line: Line) -> bool:
         """Whether a line makes a value of what stands, or says a coordinate as a distance."""

@@ -174,7 +174,11 @@ def _change_of_squares(
     at_one = lost.kind == "energy_lost" or event == 1
     ends = _by_component(scene, body, event) if at_one else None
     speed = known_speed(scene, body, event) if not at_one or stage == event - 1 else None
-    if speed is not None and given in scene.desk.under(*speed.refs):
+    if (
+        speed is not None
+        and given is not None
+        and (given in scene.desk.under(*speed.refs) or not scene.unknown(size - speed.value**2))
+    ):
         speed = None
     if speed is not None and ends is not None and is_root_of_a_sum(speed.value):
         speed = None  # one component is shorter

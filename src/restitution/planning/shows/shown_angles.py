@@ -19,7 +19,6 @@ from restitution.explaining.lines.derivation import (
     MoveId,
     Ref,
     Relation,
-    equality,
 )
 from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
@@ -31,20 +30,20 @@ from restitution.expression.tree import (
     is_quantity,
     letters,
     unsigned,
-    walk,
 )
 from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
 from restitution.planning.angles.angles_by_letters import write_by_equal_letters
 from restitution.planning.angles.ratios_by_speeds import write_ratio_of_path
 from restitution.planning.angles.turning import angle_line, is_angle
-from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
-from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.shows.speeds_of_angles import (
+    ratios_of_velocities,
+    speeds_by_components,
+)
+from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import (
     alike,
     is_rational,
-    negative,
-    product,
     square,
     tree_of,
 )
@@ -119,37 +118,19 @@ class ShownAngles(ABC):
 
     def _speed_by_an_angle(self, quantities: Sequence[Quantity]) -> int | None:
         """A speed in terms of the angle of its velocity to a line: a component, by that."""
-        scene, claims = self.scene, self.claims
-        trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
+        claims, sides = self.claims, (self.link.left, self.link.right)
         named = self._speeds_in_letters()
         for speed in (*quantities, *named):
             if speed.kind != "speed" or not isinstance(speed.stage, int):
                 continue
             velocity = replace(speed, kind="velocity")
-            for ratio in trees:
-                match ratio:
-                    case Apply("sin" | "cos", Letter() | Quantity("angle") as angle):
-                        opened = claims.worths.opened(angle)
-                    case _:
-                        continue
-                if not isinstance(opened, Quantity) or opened.arguments[:1] != (velocity,):
+            for own, ratio in ratios_of_velocities(claims, *sides):
+                if own != velocity:
                     continue
                 mark = claims.worths.mark()
                 claims.worths.determine(velocity)
-                body, stage = body_and_stage(scene, velocity)
-                frame = frame_after(scene, body, stage)
-                lets = scene.lets_in(Link(angle, "=", angle))
-                move = Move("define", "speed", frame.number, (body,))
-                for kind in ("across", "along"):
-                    own = claims.worths.component(kind, body, stage, frame)
-                    size = tree_of(own.value)
-                    size = negative(size) if scene.model.sign(own.value) < 0 else size
-                    pool = together(own.whole, frame.refs, lets)
-                    relation = equality(product(speed, ratio), size)
-                    line = self.judge.write((move,), pool, relation)
-                    if line is None:
-                        continue
-                    if relation == self.relation:
+                for line, lets in speeds_by_components(claims, speed, ratio):
+                    if self.scene.desk.relation(line) == self.relation:
                         return line
                     names = letters(self.link.left) | letters(self.link.right)
                     facts = named.get(speed, ())

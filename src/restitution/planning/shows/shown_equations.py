@@ -50,7 +50,6 @@ from restitution.planning.shows.shown_angles import ShownAngles, says
 from restitution.planning.shows.shown_laws import write_shown_law
 from restitution.planning.shows.shown_ratios import (
     in_one_ratio,
-    ratio_by_a_shown_speed,
     ratio_by_a_tangent,
     shown_by_squares,
     tangent_by_squares,
@@ -60,6 +59,7 @@ from restitution.planning.shows.shown_speeds import (
     multiple_of_data,
     speed_by_a_tie,
 )
+from restitution.planning.shows.speeds_of_angles import shown_by_speeds
 from restitution.planning.shows.straight import (
     is_turned,
     shown_by_a_multiple,
@@ -131,9 +131,9 @@ class ShownEquation(ShownAngles):
             line = shown_by_squares(self.claims.worths, self.link, quantities)
             if line is not None:
                 return line
-        by_speed = ratio_by_a_shown_speed(self.claims.worths, self.link)
-        if by_speed is not None:
-            return by_speed
+        by_speeds = shown_by_speeds(self.claims, self.link, subjects)
+        if by_speeds is not None:
+            return by_speeds
         if len(quantities) == 1 and len(subjects) == 1:
             line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
             line = line or speed_by_a_tie(self.claims, self.link)

@@ -22,14 +22,12 @@ from restitution.expression.tree import (
     has_quantity,
     is_binary,
     is_function,
-    is_quantity,
     letters,
     walk,
 )
 from restitution.planning.angles.expressions import formula_of_squares
 from restitution.planning.closing.squared_ratios import KINDS, write_by_squares
 from restitution.planning.formulas.definitions import Formula, itself
-from restitution.planning.formulas.fractions_lost import ratio_of_energies
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import chain, together
@@ -102,42 +100,6 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
     if line is None:
         worths.back(mark)
     return line
-
-
-def ratio_by_a_shown_speed(worths: Worths, link: Link) -> int | None:
-    """A ratio of energies by the speeds, where a line that was shown gives one of them.
-
-    That line has it times a ratio of an angle: V cos β = u cos α. None of another equation.
-    """
-    scene, judge = worths.scene, worths.judge
-    if not is_binary(link.left, "/"):
-        return None
-    for number in (end.line for end in scene.desk.ends if end.shown):
-        if not scene.desk.holds(number) or len(scene.desk.relation(number).options) != 1:
-            continue
-        own = scene.desk.last_link(number)
-        speed, *rest = sorted(factors(own.left), key=lambda tree: not is_quantity(tree, "speed"))
-        if not is_quantity(speed, "speed") or any(map(has_quantity, rest)):
-            continue
-        if own.sign != "=" or has_quantity(own.right):
-            continue
-        mark = worths.mark()
-        right = Binary("/", own.right, product(*rest)) if rest else own.right
-        line: int | None = number
-        if rest:
-            known = judge.known(letters(right))
-            alone = equality(speed, right)
-            line = judge.write((Move("rearrange"),), (number, *known), alone, (number,))
-        if line is not None:
-            scene.desk.know(speed, worths.value(right), (line,))
-            formula = ratio_of_energies(scene, link.left)
-            if formula is not None:
-                whole = chain(link.left, (formula.right, None), (link.right, "rearrange"))
-                last = judge.write((formula.move,), formula.refs, whole)
-                if last is not None:
-                    return last
-        worths.back(mark)
-    return None
 
 
 def _is_tangent(tree: Expression) -> bool:
