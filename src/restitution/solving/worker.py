@@ -98,6 +98,7 @@ from restitution.solving.ranges.validity import (
 )
 from restitution.solving.story import missing
 from restitution.solving.story.forward import Story
+from restitution.solving.story.impacts import SLOPE
 from restitution.solving.story.letters import is_angle
 from restitution.solving.story.quantities import stage_number
 from restitution.solving.story.unknowns import SYMBOLIC, Letters, Numbers
@@ -588,6 +589,7 @@ class Worker:
                 name = min(loose or own)
                 tied = [{key, *symbol_names(x)} for key, x in branch.values.items()]
                 beside = sorted(set().union(*(names for names in tied if name in names)))
+                beside += sorted(x for x in outcome.letters.hidden_roles if x.startswith(SLOPE))
                 beside = [phrase_of(branch, letter) for letter in beside if letter.startswith("_")]
                 raise missing.is_open(name, beside)
         if in_terms_of is not None:

@@ -91,7 +91,8 @@ class Outcome:
         own = self.setting
         among = {name for pair in equations_of_letters(setting) for name in letters_of_pair(pair)}
         return (
-            own.lets.keys() == setting.lets.keys()
+            own.sloped_after == setting.sloped_after
+            and own.lets.keys() == setting.lets.keys()
             and own.asked & self.deciding == setting.asked & self.deciding
             and own.unknown & self.deciding == setting.unknown & self.deciding
             and (own.protected | own.spared) & among == (setting.protected | setting.spared) & among

@@ -21,6 +21,7 @@ from restitution.problem import (
     Extremum,
     Find,
     Given,
+    Impact,
     Let,
     Part,
     Problem,
@@ -95,7 +96,8 @@ class Setting:
     ``protected`` letters are data; ``spared`` ones too, unless nothing else is left that the facts
     could fix; so are those that answers are to be written in, but not the ``fixed`` ones, over
     which a range or an extremum runs. ``shows`` are the claims that tell which letter a fact is
-    taken to fix.
+    taken to fix. After ``sloped_after`` events no fact speaks of a motion: a line of centres that
+    is open then may be any, and is told by its slope.
     """
 
     problem: Problem
@@ -111,6 +113,7 @@ class Setting:
     asked: frozenset[str]
     carried: frozenset[str]
     shows: tuple[Show, ...]
+    sloped_after: int | None = None
 
     @property
     def unknown(self) -> frozenset[str]:
@@ -129,7 +132,14 @@ class Setting:
     def tell(self, unknowns: Letters | Numbers) -> Story:
         """The story with these values, symbolically or in numbers."""
         arithmetic = FIELD if isinstance(unknowns, Numbers) else SYMBOLIC
-        return Story(self.problem, self.part, arithmetic, unknowns, self.lets)
+        return Story(
+            self.problem,
+            self.part,
+            arithmetic,
+            unknowns,
+            self.lets,
+            sloped_after=self.sloped_after,
+        )
 
     def requirements(self, story: Story) -> list[Equation | Condition | AnyOf]:
         """Requirements of the facts and of the names in force, in this story."""
@@ -535,7 +545,40 @@ def settle(
         asked,
         carried - protected,
         _claims(part, item),
+        _sloped_after(problem, part, facts, lets_of(problem, part), named),
     )
+
+
+def _sloped_after(
+    problem: Problem,
+    part: Part,
+    facts: Sequence[tuple[Given, int]],
+    lets: Mapping[str, tuple[Let, int]],
+    named: Sequence[tuple[Let, int]],
+) -> int | None:
+    """After how many events no fact speaks of a motion; None where no line of centres is open."""
+    placed = {sphere.name for sphere in problem.spheres if sphere.position is not None}
+    spheres = {sphere.name for sphere in problem.spheres}
+    open_ = [
+        number
+        for number, step in enumerate(problem.events, 1)
+        if isinstance(step, Impact)
+        and step.along is None
+        and step.offset is None
+        and step.second in spheres
+        and not {step.first, step.second} <= placed
+    ]
+    if not open_ or ends_at_a_point(problem, part):
+        return None
+    of_motion = [
+        now
+        for given, now in facts
+        for relation in given.relations
+        if not isinstance(relation, Compare)
+        or any(has_quantity(side) or letters(side) & lets.keys() for side in relation.operands)
+    ]
+    last = max([0, *of_motion, *(now for _, now in named)])
+    return last if last < max(open_) else None
 
 
 def _asked(part: Part) -> tuple[frozenset[str], frozenset[str]]:

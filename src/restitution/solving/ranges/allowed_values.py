@@ -33,6 +33,7 @@ from restitution.solving.ranges.by_signs import HalfForm, forms_by_signs
 from restitution.solving.ranges.cases import Case, cases
 from restitution.solving.ranges.images import Image
 from restitution.solving.ranges.limits import limit
+from restitution.solving.ranges.open_lines import open_slopes, with_lines_chosen
 from restitution.solving.ranges.regions import Region
 from restitution.solving.ranges.validity import (
     Limitation,
@@ -148,6 +149,11 @@ def _range_of_letter(
         tied = _tied_to_data(desk, name, in_terms_of, outcome)
         if tied is not sp.S.EmptySet:
             return [(tied, ())], "algebra"
+        outcome = with_lines_chosen(outcome)
+        slopes = open_slopes(outcome)
+        if len(slopes) > 1:
+            _require_visible(outcome, slopes)
+        free |= slopes
         region = Region(outcome, name, tuple(sorted(free)))
         values, several = _forms(region)
     except UnsupportedError:

@@ -147,7 +147,7 @@ class Region:
                 if role.high is not None:
                     atoms.append(value - role.high)
         for name in self.free:
-            role, symbol = self.setting.roles[name], self.setting.roles[name].symbol(name)
+            role, symbol = self.roles[name], self.roles[name].symbol(name)
             for bound in (role.low, role.high):
                 if bound is not None and name in symbol_names(*atoms):
                     atoms.append(symbol - bound)
@@ -169,7 +169,7 @@ class Region:
     @cached_property
     def of_data(self) -> list[sp.Expr]:
         """The expressions that decide whatever varies: whether anything is possible at all."""
-        varying = {self.symbol, *(self.setting.roles[name].symbol(name) for name in self.free)}
+        varying = {self.symbol, *(self.roles[name].symbol(name) for name in self.free)}
         return [atom for atom in self._kept_atoms if not atom.free_symbols & varying]
 
     def _demands(self, trial: Trial) -> tuple[Demand, ...] | None:
@@ -209,7 +209,7 @@ class Region:
     def _critical(self) -> list[sp.Expr]:
         atoms = self._kept_atoms
         points: list[sp.Expr] = [x for x in (self.role.low, self.role.high) if x is not None]
-        free = {self.setting.roles[name].symbol(name) for name in self.free}
+        free = {self.roles[name].symbol(name) for name in self.free}
         atoms = [*atoms, *self._at_ends(atoms)]
         plain = [atom for atom in atoms if not atom.free_symbols & free]
         mixed = [atom for atom in atoms if atom.free_symbols & free]
@@ -275,7 +275,7 @@ class Region:
         for name in self.free:
             inner = Region.__new__(Region)
             inner.outcome, inner.letter, inner.free = self.outcome, name, ()
-            inner.setting, inner.role = self.setting, self.setting.roles[name]
+            inner.setting, inner.role = self.setting, self.roles[name]
             inner.symbol = inner.role.symbol(name)
             inner.trials = self.trials
             extended: list[Sample] = []

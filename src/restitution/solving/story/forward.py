@@ -58,6 +58,7 @@ class Story(State):
         unknowns: Unknowns,
         lets: Mapping[str, tuple[Let, int]],
         frames: Frames | None = None,
+        sloped_after: int | None = None,
     ) -> None:
         work.spend()
         known = getattr(unknowns, "values", {})
@@ -69,6 +70,7 @@ class Story(State):
             lets,
             of_statement=of_statement,
             in_frames=frames is not None,
+            sloped_after=sloped_after,
         )
         self.frames = frames
         if of_statement:

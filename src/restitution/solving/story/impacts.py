@@ -236,12 +236,9 @@ def _impact_of_spheres(state: State, number: int, step: Impact) -> Happening:
     elif geometric is not None:
         c = geometric
     else:
-        phrase = f"the line of centres of {first} and {second}"
-        c = Vector(
-            state.unknowns.hidden(f"k_{number}x", phrase, "real"),
-            state.unknowns.hidden(f"k_{number}y", phrase, "real"),
-        )
+        c = _open_line(state, number, step, approach)
         unknown = True
+    by_impulse = unknown and not is_sloped(state, number, approach)
     closing = state.rational(approach.dot(c))
     what = f"{first} and {second} are separating along the line of centres"
     if state.still(approach):
@@ -255,7 +252,7 @@ def _impact_of_spheres(state: State, number: int, step: Impact) -> Happening:
     if altered is not None:
         v1, v2 = altered[first], altered[second]
         push = state.neat((v2 - u2) * m2)
-    elif unknown:
+    elif by_impulse:
         # The impulse itself is along the line of centres: linear in what is unknown.
         v1, v2 = state.neat(u1 - c / m1), state.neat(u2 + c / m2)
         push = c
@@ -288,6 +285,37 @@ def _impact_of_spheres(state: State, number: int, step: Impact) -> Happening:
         time=time if time is not None else places.meeting_time(state, number),
         unknown_line=unknown,
         altered=altered is not None,
+    )
+
+
+def _open_line(state: State, number: int, step: Impact, approach: Vector) -> Vector:
+    """A line of centres of which nothing is known: the impulse itself, or a direction by its slope.
+
+    Spheres approach along their line, so every possible one is ``approach`` turned by less than a
+    right angle: the slope to it may be any number.
+    """
+    phrase = f"the line of centres of {step.first} and {step.second}"
+    if is_sloped(state, number, approach):
+        slope = state.unknowns.hidden(f"{SLOPE[1:]}{number}", phrase, "real")
+        return state.neat(approach + approach.turned_left() * slope)
+    return Vector(
+        state.unknowns.hidden(f"k_{number}x", phrase, "real"),
+        state.unknowns.hidden(f"k_{number}y", phrase, "real"),
+    )
+
+
+SLOPE = "_slope_"
+"""How the names of slopes begin: of an open line of centres to the approach."""
+
+
+def is_sloped(state: State, number: int, approach: Vector) -> bool:
+    """Whether an open line of centres is told by its slope to the approach."""
+    after = state.sloped_after
+    return (
+        after is not None
+        and number > after
+        and state.problem.altered_at(number) is None
+        and not state.still(approach)
     )
 
 

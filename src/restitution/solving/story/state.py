@@ -98,6 +98,7 @@ class State(ABC):
 
     ``of_statement`` tells that what holds of these values holds of the statement, and not of one
     of several roots. With ``in_frames`` the velocities after an impact are told in components.
+    A line of centres that is open is told by its slope to the approach, after this many events.
     """
 
     def __init__(
@@ -109,6 +110,7 @@ class State(ABC):
         *,
         of_statement: bool,
         in_frames: bool,
+        sloped_after: int | None,
     ) -> None:
         self.problem = problem
         self.field = arithmetic
@@ -116,6 +118,7 @@ class State(ABC):
         self.lets = lets
         self.of_statement = of_statement
         self.in_frames = in_frames
+        self.sloped_after = sloped_after
         self.spheres: dict[str, Sphere] = {sphere.name: sphere for sphere in problem.spheres}
         self.walls: dict[str, Wall] = {wall.name: wall for wall in problem.walls}
         self.points: dict[str, Point] = {point.name: point for point in problem.points}
