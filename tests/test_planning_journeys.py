@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
+from workings import printed_with
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Meaning, Relation
@@ -510,3 +511,64 @@ def test_the_scalar_product_of_a_place_with_an_axis_is_a_coordinate(asked: str, 
     *_, above, last = (e.relation for e in derivation.lines if isinstance(e.relation, Relation))
     assert "along(position(A, 3), i) = 2a/3 + 3u/4 (8a/(9u)) = 4a/3" in write_relation(above)
     assert write_relation(last).endswith(f"= {value}")
+
+
+def test_a_distance_in_letters_ends_in_the_tangent_and_takes_what_a_later_part_gives() -> None:
+    printed_with(
+        """
+        sphere A: mass 2m, velocity u at alpha, at (0, 0)
+        sphere B: mass m, at rest, at (0, 0)
+        wall W: along j, through (d, 0)
+        A hits B: along i, e = e
+        B reaches W
+        part a
+        find distance(A, B)
+        part b
+        given e = 1/2, tan(alpha) = 1
+        find distance(A, B)
+        """,
+        (
+            "= 3d√(sin²α + e² cos²α)/(2(1 + e) cos α) = 3d√(e² + tan²α)/(2(1 + e))",
+            "(b) Since e = ½ and tan α = 1, from (3): ",
+            "distance between A and B when B reaches W = √5 d/2",
+        ),
+    )
+
+
+def test_what_was_shown_of_a_distance_takes_the_coefficient_of_a_later_part() -> None:
+    printed_with(
+        """
+        sphere A: mass m, velocity u at alpha
+        sphere B: mass m, at rest
+        A hits B: along i
+        part a
+        show distance(A, B, at t) = u t sqrt(e^2 cos^2(alpha) + sin^2(alpha))
+        part b
+        given e = 1
+        find distance(A, B, at t)
+        """,
+        (
+            "(b) Since e = 1, from (1): ",
+            "= ut√(1² cos²α + sin²α) = ut, as sin²α + cos²α = 1",
+        ),
+    )
+
+
+def test_centres_that_touched_are_apart_as_their_places_at_a_time_are() -> None:
+    text = printed_with(
+        """
+        sphere A: mass 2m, velocity u at alpha, radius a
+        sphere B: mass 2m, at rest, radius a
+        A hits B: along i, e = 1/2
+        given tan(alpha) = 3/4
+        given distance(A, B, at t) = 2 sqrt(10) a
+        find t
+        """,
+        (
+            "at the impact their centres are 2a apart. So B is then at 2a𝐢.",
+            "= √((2ut/5 + 2a)² + (3ut/5)²)",
+            "(13ut − 90a)(ut + 10a) = 0",
+            "t = 90a/(13u), as t is positive",
+        ),
+    )
+    assert "particles" not in text

@@ -74,7 +74,8 @@ def require_letters(scene: Scene, result: ItemResult) -> None:
 def require_form(scene: Scene, result: ItemResult) -> None:
     """Refuses a place or a length whose ratios of angles are not those of the answer.
 
-    One in tangents, of an answer in sines and cosines, ends in the answer.
+    One in tangents, of an answer in sines and cosines, ends in the answer, and so does one in
+    sines and cosines of an answer in tangents.
     """
     end = scene.desk.ends[-1]
     values = {answer.value for answer in result.answers if not isinstance(answer.value, tuple)}
@@ -83,7 +84,9 @@ def require_form(scene: Scene, result: ItemResult) -> None:
     (value,) = values
     kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
     ratios = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
-    if "tan" in kinds and ratios == {"sin", "cos"}:
+    if ("tan" in kinds and ratios == {"sin", "cos"}) or (
+        kinds & _NAMES == {"sin", "cos"} and ratios == {"tan"}
+    ):
         _end_in(scene, end, value)
     elif kinds & _NAMES != ratios:
         raise NotPlannedError("an answer in another form")
@@ -98,6 +101,7 @@ def _end_in(scene: Scene, end: ItemEnd, value: Any) -> None:
     subject = end.answer.only[0].left
     scene.desk.lines[end.line - 1] = whole
     scene.desk.ends[-1] = replace(end, answer=equality(subject, last.right))
+    scene.desk.know(subject, value, (end.line,))
 
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)

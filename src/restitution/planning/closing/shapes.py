@@ -462,12 +462,12 @@ def _uncertain(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether a factor is a polynomial in an unknown alone: it has roots to be looked at.
 
-    So has a sum such as d + r.
+    So has a sum of two terms of letters, such as d + r, or ut + 10r.
     """
     if not factor.is_polynomial(symbol) or factor == symbol:
         return False
     terms = sp.Add.make_args(factor)
-    plain = len(terms) == 2 and all(not x.as_coeff_Mul()[0] - 1 and x.is_Symbol for x in terms)
+    plain = len(terms) == 2 and all(x.free_symbols and x.is_polynomial() for x in terms)
     return factor.free_symbols == {symbol} or (plain and symbol in factor.free_symbols)
 
 

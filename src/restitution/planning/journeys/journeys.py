@@ -8,7 +8,17 @@ import sympy as sp
 
 from restitution.exact import is_zero
 from restitution.explaining.lines.derivation import Move, numbers_in
-from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import (
+    AtTime,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    letters,
+)
 from restitution.planning.formulas.whereabouts import are_apart, last_move, standing, without_walls
 from restitution.planning.journeys.distances import distance, sized
 from restitution.planning.journeys.instants import piece, place_then
@@ -22,7 +32,7 @@ from restitution.planning.journeys.places import (
 )
 from restitution.planning.journeys.steady import time_at_one_pace, write_steady_ways
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.one_fraction import added_up
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
@@ -115,11 +125,44 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
     lines = numbers_in(source.refs)
     if not lines:
         raise NotPlannedError("what is asked is given")
-    if len(lines) > 1:
+    known = scene.desk.known(asked)
+    standing_ = () if known is None or known.value == source.value else numbers_in(known.refs)
+    if len(standing_) == 1:
+        lines = [_write_put(scene, asked, standing_[0], source)]
+    elif len(lines) > 1:
         relation = chain(asked, (tree_of(source.value), None))
         lines = [scene.desk.write(Move("put"), source.refs, relation)]
         scene.desk.know(asked, source.value, lines)
     return lines[0], source.value
+
+
+def _write_put(scene: Scene, asked: Expression, line: int, put: Source) -> int:
+    """The line of what stands in a line, with the letters put in that have been found since.
+
+    A tangent that is given goes into a tangent: its sine and its cosine are not needed. Where the
+    value takes an identity, the letters are put in first.
+    """
+    own, last = (scene.desk.last_link(line).right, tree_of(put.value))
+    lines = (ref for ref in numbers_in(put.refs) if ref != line)
+    facts = [ref for n in lines for ref in scene.desk.line(n).premises if isinstance(ref, str)]
+    pool = (line, *facts, *put.refs)
+    values: dict[Expression, Expression] = {}
+    for name in sorted(letters(own) - letters(last)):
+        value, refs = scene.put(scene.scalar(Letter(name)))
+        if refs:
+            values[Letter(name)] = tree_of(value)
+    between = swept(exchanged(own, values))
+    for relation in (
+        chain(asked, (last, None)),
+        chain(asked, (between, None), (last, "rearrange")),
+        chain(asked, (between, None), (last, "identity")),
+    ):
+        premises = scene.judge.needed(Move("put"), pool, relation)
+        if premises is not None:
+            number = scene.desk.write(Move("put"), premises, relation)
+            scene.desk.know(asked, put.value, (number,))
+            return number
+    raise NotPlannedError("a value that does not follow by what is put in")
 
 
 def _time(scene: Scene, number: int) -> Source:
@@ -132,9 +175,22 @@ def _check(scene: Scene, asked: Expression, value: Any) -> None:
     """The value has to be that of the story."""
     own, in_data = scene.value(asked), scene.model.in_data
     pairs = zip(own, value, strict=True) if isinstance(value, Vector) else [(own, value)]
-    gaps = [sized(scene, in_data(a)) - sized(scene, in_data(b)) for a, b in pairs]
-    if not all(_vanishes(scene, gap) for gap in gaps):
+    sizes = [(sized(scene, in_data(a)), sized(scene, in_data(b))) for a, b in pairs]
+    if not all(_are_equal(scene, *two) for two in sizes):
         raise NotPlannedError("another piece of the path than the lines say")
+
+
+def _are_equal(scene: Scene, one: sp.Expr, other: sp.Expr) -> bool:
+    """Whether two values are the same, or their squares where a root has a sign of its own.
+
+    The root of sin² α/cos² α is not tan α for all α, but for those of the question.
+    """
+    if _vanishes(scene, one - other):
+        return True
+    if not any(x.is_Pow and x.exp == sp.Rational(1, 2) for x in sp.preorder_traversal(one)):
+        return False
+    alike = scene.model.sign(one) == scene.model.sign(other)
+    return alike and _vanishes(scene, one**2 - other**2)
 
 
 def _vanishes(scene: Scene, gap: sp.Expr) -> bool:

@@ -115,7 +115,8 @@ def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source 
     known = standing(scene, coordinate_tree(body, stage, axis))
     if known is not None:
         return known
-    if last_move(scene, body, stage) == 0 and rests(scene, body, stage):
+    placed = f"position {body}" in scene.facts
+    if placed and last_move(scene, body, stage) == 0 and rests(scene, body, stage):
         # Who rests stays where it is.
         own = coordinate_given(scene, body, 0, axis)
         return None if own is None else Source(own.value, together(own.refs, (f"velocity {body}",)))

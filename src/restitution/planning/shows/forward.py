@@ -300,6 +300,8 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
     match link.left:
         case Quantity(kind, whom, int()) if kind in _QUOTED and not (kind == "impulse" and whom):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case Quantity("distance", (_, _)):
+            scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Quantity("velocity", (Name(),), int()) if isinstance(
             vector := scene.value(link.right), Vector
         ):
