@@ -119,3 +119,80 @@ def test_a_bound_by_the_square_of_a_sine_has_its_reason(bound: str, reason: str)
         f"show energy(P)/energy(P, 0) {bound}"
     )
     assert f"as {reason} (as required)" in shown
+
+
+# Statement, what its working says, and what it does not say.
+SAYS = {
+    "a sphere that stops where the condition does not hold": (
+        (
+            "wall W: along i\nwall V: along j\nsphere P: mass m, velocity u at 60° to W\n"
+            "P hits W: e = e1\nP hits V: e = e2\nlet beta = angle(velocity(P), W)\n"
+            "given beta = 60°\nfind total_energy_lost/energy(0) in terms of e1"
+        ),
+        "As P is still moving at the end, this holds for e₁ > 0 only.",
+        "cannot happen otherwise",
+    ),
+    "a sphere that stays at a wall": (
+        (
+            "sphere P: mass m, at (0, 0), velocity u at alpha\n"
+            "wall AB: from (2a, 0) to (2a, a)\nwall BC: from (2a, a) to (0, a)\n"
+            "P hits AB\nP hits BC: e = 1/2\nfind range of tan(alpha)"
+        ),
+        "This holds for e > 0 only: if e = 0, P does not leave AB.",
+        "cannot happen otherwise",
+    ),
+    "a sense by momentum": (
+        (
+            "sphere A: mass 2m, velocity u at alpha\nsphere B: mass k m, at rest\n"
+            "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B)\n"
+            "given speed(B) = 2 speed(A)\nfind k, e"
+        ),
+        "w = 2u sin α, as w > 0 by (2)",
+        "as α is acute",
+    ),
+    "a sense by a coefficient, with an angle between two ends": (
+        (
+            "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+            "given angle(velocity(A), line_of_centres) = beta\nfind e in terms of alpha, beta"
+        ),
+        "as v = −(u sin α)/tan β would give e > 1 by (2) and (3)",
+        "e ≤ 1 Subst",
+    ),
+    "a number and a multiple of e": (
+        (
+            "sphere A: mass k m, velocity u i\nsphere B: mass m, velocity -3u i\n"
+            "A hits B: along i\ngiven A at rest\nfind k in terms of e\nshow 3 <= k\nshow k <= 7"
+        ),
+        "3 ≤ k, as e ≥ 0 (as required)",
+        "increases with e",
+    ),
+    "a ratio that stands on the right": (
+        (
+            "sphere A: mass 2m, velocity u i\nsphere B: mass m, velocity V j\nA hits B: along i\n"
+            "given deflection(B) = theta\nfind e in terms of u, V, theta\n"
+            "show 2u/(3V) <= tan(theta)"
+        ),
+        "tan θ ≥ 2u/(3V)",
+        "V ≥",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_a_reason_is_the_one_that_a_reader_needs(name: str) -> None:
+    statement, says, not_says = SAYS[name]
+    shown = working(statement)
+    assert says in shown
+    assert not_says not in shown
+
+
+@pytest.mark.parametrize("multiple", ["2", "3"])
+def test_a_solution_that_is_another_one_wherever_it_is_possible_is_no_open_one(
+    multiple: str,
+) -> None:
+    # With the angle from the line of centres taken the other way e = 1 alone is left.
+    text = (
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        f"A hits B: along i\ngiven angle(velocity(A), line_of_centres) = {multiple} alpha\nfind e"
+    )
+    assert not solve(parse(text)).warnings

@@ -198,7 +198,7 @@ def _are_of_places(solution: Solution, part: PartSolution, answers: Sequence[Ans
 
 def is_same(one: Sentence, other: Sentence) -> bool:
     """Whether two sentences say one condition, perhaps with more or less of its reasons."""
-    kinds = ("answer.only", "answer.only-as", "answer.only-at", "answer.only-possible")
+    kinds = ("answer.only", "answer.only-as", "answer.only-at", "answer.only-leaving")
     conditions = [dict(sentence.slots).get("condition") for sentence in (one, other)]
     return one == other or (
         one.id in kinds and other.id in kinds and conditions[0] == conditions[1] is not None
@@ -375,22 +375,29 @@ def _motion_alike(model: Model, answer: Answer) -> tuple[Sentence, ...]:
     for happening in model.branch.story.happenings:
         if isinstance(happening.step, Impact) and happening.closing is not None:
             closing = Claim(tidy(model.in_data(happening.closing)), ">")
-            if _is_alike(model.ground, answer, (closing,)):
+            if _is_alike(model.ground, answer, (closing,), model):
                 one, two = happening.step.first, happening.step.second
                 return (say("answer.approaching", one=one, two=two),)
     for claim, (body, _) in motions(model):
-        if _is_alike(model.ground, answer, (claim,)):
+        if _is_alike(model.ground, answer, (claim,), model):
             return (say("answer.moving", body=body.name),)
     return ()
 
 
-def _is_alike(oracle: Oracle, answer: Answer, claims: Sequence[Formula]) -> bool:
-    """Whether claims of letters are just what the condition of an answer says."""
+def _is_alike(
+    oracle: Oracle, answer: Answer, claims: Sequence[Formula], known: Model | None = None
+) -> bool:
+    """Whether claims of letters are just what the condition of an answer says.
+
+    Of a ``known`` model the values of letters that were found are put into the condition.
+    """
     try:
         conditions = [
-            compared(evaluate(link.left, sp.Symbol), link.sign, evaluate(link.right, sp.Symbol))
+            compared(
+                _side_of_a_condition(e.left, known), e.sign, _side_of_a_condition(e.right, known)
+            )
             for text in answer.condition
-            for link in relation_of_condition(text).only
+            for e in relation_of_condition(text).only
         ]
     except (RestitutionError, ValueError):
         return False
@@ -398,6 +405,13 @@ def _is_alike(oracle: Oracle, answer: Answer, claims: Sequence[Formula]) -> bool
     return bool(conditions) and all(
         (*(follows(both, e) for e in claims), *(follows(other, e) for e in conditions))
     )
+
+
+def _side_of_a_condition(side: Expression, known: Model | None) -> sp.Expr:
+    """A side in letters, or in those in which a model has its values."""
+    if known is None:
+        return evaluate(side, sp.Symbol)
+    return tidy(known.in_data(evaluate(side, known.unknowns.letter)))
 
 
 def _ends_meet(solution: Solution, values: sp.Set) -> bool:
@@ -492,7 +506,10 @@ def _at_the_end(
     if isinstance(item.item, Range) and isinstance(asked, Letter):
         letter = lay.from_sympy(sp.Symbol(asked.name))
         return say("answer.only-range", condition=condition, letter=letter)
-    return say("answer.only-possible", condition=condition)
+    if end.staying is not None:
+        body, wall = end.staying
+        return say("answer.only-leaving", condition=condition, end=end.end, body=body, wall=wall)
+    return say("answer.only", condition=condition)
 
 
 def _place_missing(item: ItemResult, answer: Answer) -> sp.Symbol | None:

@@ -8,8 +8,17 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Letter, Number
-from restitution.problem import Compare, Extremum, Given
+from restitution.problem import (
+    Compare,
+    Event,
+    Extremum,
+    Given,
+    Impact,
+    Problem,
+    bodies_of,
+)
 from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -20,10 +29,14 @@ from restitution.solving.story.letters import roles
 
 @dataclass(frozen=True)
 class ExcludedEnd:
-    """The end of a coefficient, and what is asked there; None where nothing is possible."""
+    """The end of a coefficient, and what is asked there; None where nothing is possible.
+
+    ``staying`` is then a body that goes on after a wall, which it does not leave there.
+    """
 
     end: Layout
     answer: Layout | None
+    staying: tuple[str, str] | None = None
 
 
 def excluded_end(
@@ -56,11 +69,29 @@ def excluded_end(
     result = there.parts[part.part.label].items[part.items.index(item)]
     if isinstance(result.error, ContradictionError | ImpossibleError):
         # That there is no greatest value says nothing of what is described.
-        return None if isinstance(item.item, Extremum) else ExcludedEnd(end, None)
+        if isinstance(item.item, Extremum):
+            return None
+        return ExcludedEnd(end, None, _staying(solution.problem, part, name, value))
     (only, *others) = result.distinct or (None,)
     if only is None or others or only.layout is None or only.condition:
         return None
     return ExcludedEnd(end, only.layout)
+
+
+def _staying(problem: Problem, part: PartSolution, name: str, value: int) -> tuple[str, str] | None:
+    """The body that has an event after one at a wall of which the coefficient is 0, and the wall.
+
+    A letter is ``value`` there.
+    """
+    events = [step for step, _, _ in problem.timeline(part.part) if isinstance(step, Event)]
+    walls = {wall.name for wall in problem.walls}
+    for place, step in enumerate(events):
+        if not isinstance(step, Impact) or step.second not in walls:
+            continue
+        coefficient = in_letters(step.e or Letter("e")).subs(sp.Symbol(name), value)
+        if coefficient == 0 and any(step.first in bodies_of(e) for e in events[place + 1 :]):
+            return step.first, step.second
+    return None
 
 
 __all__ = ["ExcludedEnd", "excluded_end"]

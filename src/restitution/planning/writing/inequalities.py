@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -30,12 +31,25 @@ from restitution.solving.story.letters import roles
 
 
 def subject_of(relation: Relation) -> Expression | None:
-    """The subject of a relation: what stands between two bounds, else a side."""
+    """The subject of a relation: what stands between two bounds, else a side.
+
+    That is one which is a letter or a ratio of an angle, or its square, if the other is none.
+    """
     links = relation.only
     if len(links) == 2 and links[0].right == links[1].left:
         return links[0].right
     sides = (links[0].left, links[0].right)
-    return next((side for side in sides if letters(side)), None)
+    plain = (side for side in sides if _is_one_letter(side))
+    return next(chain(plain, (side for side in sides if letters(side))), None)
+
+
+def _is_one_letter(tree: Expression) -> bool:
+    match tree:
+        case Letter() | Apply(_, Letter()):
+            return True
+        case Binary("^", base, Number()):
+            return _is_one_letter(base)
+    return False
 
 
 def same(a: Relation, b: Relation) -> bool:

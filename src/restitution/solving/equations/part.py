@@ -83,8 +83,13 @@ class Outcome:
 
     @property
     def undecided(self) -> list[Trial]:
-        """What is neither accepted nor refused."""
-        return [trial for trial in self.trials if trial.kind == "undecided"]
+        """What is neither accepted nor refused, nor the same as what is wherever it is possible."""
+        return [
+            trial
+            for trial in self.trials
+            if trial.kind == "undecided"
+            and not any(_repeats(trial, other) for other in self.accepted)
+        ]
 
     def serves(self, setting: Setting) -> bool:
         """Whether solving in another setting of the same part would give just this."""
@@ -269,6 +274,14 @@ def _without_touching(trials: list[Trial]) -> list[Trial]:
 
 def _same_values(a: Trial, b: Trial) -> bool:
     return bool(a.samples) == bool(b.samples) and a.root.values == b.root.values
+
+
+def _repeats(trial: Trial, other: Trial) -> bool:
+    """Whether one solution has the values of another wherever it is one at all."""
+    values, known = trial.root.values, other.root.values
+    if trial.admission is None or trial.root.angles or values.keys() != known.keys():
+        return False
+    return all(trial.admission.is_zero(value - known[name]) for name, value in values.items())
 
 
 def _missed(story: Story) -> ImpossibleError | None:

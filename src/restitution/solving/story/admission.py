@@ -16,6 +16,7 @@ import sympy as sp
 from restitution.exact.symbols import atoms_in, symbols_in
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
+    BeyondError,
     Formula,
     Oracle,
     Program,
@@ -29,7 +30,7 @@ from restitution.oracle import (
 from restitution.oracle.points import Value
 from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.records import dataclass
-from restitution.solving.algebra.forms import tidy
+from restitution.solving.algebra.forms import bars_of, tidy
 from restitution.solving.algebra.numbers import sign_at
 from restitution.solving.algebra.signs import sign as sign_of
 from restitution.solving.story.conditions import AnyOf, Condition, Equation
@@ -80,6 +81,31 @@ class Admission:
         return Oracle(
             self.roles, tuple(dict.fromkeys((*(d.formula for d in self.demands), *self.assumed)))
         )
+
+    @cached_property
+    def _solved(self) -> Oracle:
+        """Decides what follows wherever this is a solution; sizes of a certain sign are no bars."""
+        facts = [
+            Relation(self._without_bars(relation.value), relation.operator)
+            for demand in self.demands
+            if not isinstance(demand.formula, Some)
+            for relation in relations(demand.formula)
+        ]
+        facts += [Relation(self._without_bars(value), "=") for value in self.equations]
+        return Oracle(self.roles, tuple(dict.fromkeys((*facts, *self.assumed))))
+
+    def _without_bars(self, value: sp.Expr) -> sp.Expr:
+        """A value without the sizes |x| of which the sign follows from the demands."""
+        while known := bars_of(value, self.oracle):
+            value = tidy(value.xreplace(known))
+        return value
+
+    def is_zero(self, value: sp.Expr) -> bool:
+        """Whether a value is zero wherever this is a solution."""
+        try:
+            return bool(self._solved.decide(Relation(self._without_bars(value), "=")))
+        except BeyondError:
+            return False
 
     @cached_property
     def _program(self) -> tuple[tuple[sp.Expr, ...], Program]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 import sympy as sp
@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.oracle.roles import ACUTE, Role
 from restitution.planning.writing.forms import UnwrittenError, tree_of
 
 _BEYOND = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
@@ -56,6 +57,7 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
         for ref in line.premises
         if isinstance(ref, str) and ref.partition(" ")[2][:1] in ("<", ">")
         for links in read_relation(ref, bodies).options
+        if len(links) == 1  # a range between two ends is that of an angle
     ]
     if not bounds and len(dropped) == 1:
         return (
@@ -196,6 +198,43 @@ def root_against_a_law(derivation: Derivation, line: Line) -> tuple[tuple[Link, 
     return (dropped[0], int(line.premises[1])) if gap.is_nonzero else None
 
 
+def positive_by_a_law(
+    derivation: Derivation, line: Line, known: Mapping[str, Role]
+) -> tuple[Link, int] | None:
+    """That the letter of a root which a line keeps is positive, by the one equation that it cites.
+
+    ``w > 0`` by ``mu cos(alpha) = kmw``, where the other letters are ``known`` to be positive, or
+    not negative, or acute angles.
+    """
+    cited = numbers_in(line.premises)
+    if line.move.id != "reject" or len(cited) != 2 or line.premises[0] != cited[0]:
+        return None
+    if not all(ref in cited or str(ref).startswith("acute:") for ref in line.premises):
+        return None
+    equations = list(equations_of(derivation, line))
+    assert isinstance(line.relation, Relation)
+    own = line.relation.options[0][0].left
+    if len(equations) != 1 or len(line.relation.options) != 1 or not isinstance(own, Letter):
+        return None
+    try:
+        left, right = map(in_letters, equations[0])
+    except (RestitutionError, TypeError):
+        return None
+    unknown, gap = sp.Symbol(own.name), sp.expand(left - right)
+    for node in atoms_in(gap, sp.sin, sp.cos, sp.tan):
+        if known.get(str(node.args[0])) == ACUTE:
+            gap = gap.xreplace({node: sp.Dummy(positive=True)})
+    for name in {symbol.name for symbol in gap.free_symbols} & known.keys():
+        if known[name].kind == "positive":
+            gap = gap.xreplace({sp.Symbol(name): sp.Dummy(positive=True)})
+        elif known[name].kind == "restitution":
+            gap = gap.xreplace({sp.Symbol(name): sp.Dummy(nonnegative=True)})
+    if not gap.is_polynomial(unknown) or sp.degree(gap, unknown) != 1:
+        return None
+    value = sp.factor(-gap.subs(unknown, 0) / gap.coeff(unknown))
+    return (Link(own, ">", Number(Fraction(0))), cited[1]) if value.is_positive else None
+
+
 def made_by_a_root(
     derivation: Derivation, line: Line, dropped: Sequence[Link], bound: Link
 ) -> tuple[Relation, ...]:
@@ -296,4 +335,10 @@ def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expressio
                 yield links[0].left, links[-1].right
 
 
-__all__ = ["bound_broken", "made_by_a_root", "root_against_a_law", "root_of_a_square"]
+__all__ = [
+    "bound_broken",
+    "made_by_a_root",
+    "positive_by_a_law",
+    "root_against_a_law",
+    "root_of_a_square",
+]

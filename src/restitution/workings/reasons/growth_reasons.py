@@ -114,7 +114,8 @@ class GrowthReasons:
         whole = above.right
         if _is_reciprocal(whole, name) and name not in positive:
             return  # of k = 1/e the bounds of e say it
-        if name not in positive and _is_multiple(whole, name) and len(line.relation.only) == 1:
+        plain = _is_multiple(whole, name) or _is_plain_sum(whole, name)
+        if name not in positive and plain and len(line.relation.only) == 1:
             return  # so they do of e tan(alpha), with the sign of what stands beside e
         if not is_short(whole):
             part = _part_with(whole, name)
@@ -135,7 +136,9 @@ class GrowthReasons:
             return
         if itself and name not in positive and len(reached) == 1:
             ((value, at),) = reached
-            onward = (line.relation.only[0].sign in UP) == (sense > 0)
+            bound = line.relation.only[0]
+            own = bound if bound.left == above.left else turned(bound)
+            onward = (own.sign in UP) == (sense > 0)
             yield say(
                 "derived.to" if onward else "derived.from", growth=growth_, value=value, at=at
             )
@@ -292,6 +295,16 @@ def _is_multiple(tree: Expression, name: str) -> bool:
     """Whether a value is a product in which a letter stands once, as a factor."""
     own = [factor for factor in factors(tree) if name in letters(factor)]
     return own == [Letter(name)] and tree != Letter(name)
+
+
+def _is_plain_sum(tree: Expression, name: str) -> bool:
+    """Whether a value is a number, and a multiple of a letter that is added or subtracted."""
+    above = tree.left if is_binary(tree, "/") and isinstance(tree.right, Number) else tree
+    match above:
+        case Binary("+" | "-", left, right):
+            own = [side for side in (left, right) if not isinstance(side, Number)]
+            return len(own) == 1 and letters(tree) == {name} and Letter(name) in factors(own[0])
+    return False
 
 
 def _part_with(tree: Expression, name: str) -> Expression | None:

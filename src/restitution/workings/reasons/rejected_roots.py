@@ -20,6 +20,7 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Negate, Number, Unit, is_function, letters
 from restitution.render import layout as lay
+from restitution.solving.story.letters import roles
 from restitution.workings.naming.figures import Figures
 from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.plain_angles import is_by_calculator
@@ -27,6 +28,7 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.rejected import (
     bound_broken,
     made_by_a_root,
+    positive_by_a_law,
     root_against_a_law,
     root_of_a_square,
 )
@@ -47,6 +49,11 @@ def made_of_a_root(
         return say("derived.no-root", value=root, equation=number)
     broken = bound_broken(derivation, line) if line.move.id == "reject" else None
     if broken is None:
+        sign = positive_by_a_law(derivation, line, roles(naming.problem))
+        if sign is not None and sign[1] in sources.numbers:
+            positive = naming.relation(Relation(((sign[0],),)))
+            number = say("derived.number", number=str(sources.numbers[sign[1]]))
+            return say("derived.by-equation", fact=positive, equation=number)
         against = root_against_a_law(derivation, line)
         if against is None or against[1] not in sources.numbers:
             return None

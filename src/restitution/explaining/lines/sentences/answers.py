@@ -130,8 +130,8 @@ SENTENCES: Mapping[str, str] = {
     "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
     "answer.only-at": "This holds for {condition} only: if {end}, {there}.",
-    "answer.only-possible": (
-        "This holds for {condition} only, as what is described cannot happen otherwise."
+    "answer.only-leaving": (
+        "This holds for {condition} only: if {end}, {body} does not leave {wall}."
     ),
     "answer.both": "{first} {second}",
     "answer.value-only": "{value} holds for {condition} only.",

@@ -42,6 +42,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.as": "as {reasons:and}",
     "derived.as-because": "as {reasons:and}, because {causes:and}",
     "derived.no-root": "{value} does not satisfy {equation}",
+    "derived.by-equation": "{fact} by {equation}",
     "derived.would": "{value} would give {results:and} by {equations:and}",
     "derived.would-beyond": "{value} would give {results:and} by {equations:and}, but {bound}",
     "derived.for": "when {places:or}",
