@@ -166,6 +166,42 @@ SAYS = {
         "3 ≤ k, as e ≥ 0 (as required)",
         "increases with e",
     ),
+    "a rest that is given in a later part": (
+        (
+            "sphere A, B: mass m\nsphere C: mass 3m, at rest\nsphere A: velocity u i\n"
+            "sphere B: at rest\nA hits B: along i\nB hits C: along i\npart a\nfind speed(C)\n"
+            "part b\ngiven B at rest\nfind e"
+        ),
+        "It is given that B is at rest: v₂ = 0 Substituting for w₂ from part (a) and v₂ in (3):",
+        "unless",
+    ),
+    "a sense that a given bound of e makes certain": (
+        (
+            "wall W: along i\nwall V: along j\nsphere P: mass m, velocity u at alpha\n"
+            "P hits W: e = e\nP hits V: e = e\ngiven e > 0\n"
+            "show velocity(P) opposite to velocity(P, 0)"
+        ),
+        "So 𝐯₂ is opposite to 𝐮, since e > 0, as required.",
+        "unless",
+    ),
+    "one of two roots with opposite signs": (
+        (
+            "wall OX: along i\nwall OY: along 45°\nsphere P: velocity u at 180° + alpha\n"
+            "P hits OX: e = e\nP hits OY: e = e\ngiven velocity(P) perpendicular to OX\n"
+            "find e in terms of alpha"
+        ),
+        "(2 sin α), as e ≥ 0",
+        "unless",
+    ),
+    "a square that is not zero": (
+        (
+            "sphere A: mass 2m, velocity u i\nsphere B: mass 2m, at rest\n"
+            "sphere C: mass 2m, at rest\nA hits B: along i, e = e\nB hits C: along i, e = e\n"
+            "A hits B: e = e\nfind range of e"
+        ),
+        "(1 − e)² > 0 0 ≤ e < 1",
+        "e² − 2e",
+    ),
     "a ratio that stands on the right": (
         (
             "sphere A: mass 2m, velocity u i\nsphere B: mass m, velocity V j\nA hits B: along i\n"

@@ -571,9 +571,10 @@ class Conditions:
         return isinstance(link.left, Letter) and not letters(link.right)
 
     def _is_one_factor(self, line: int) -> bool:
-        """Whether a line says the sign of something that is linear in a letter."""
+        """Whether a line says the sign of what is linear in a letter, or of its square."""
         link = self.scene.desk.last_link(line)
-        return is_zero(link.right) and is_linear(self.worths.value(link.left))
+        base, _ = self.worths.value(link.left).as_base_exp()
+        return is_zero(link.right) and is_linear(base)
 
     def _with_a_ratio_cancelled(self, line: int, link: Link, relation: Relation) -> int | None:
         """A condition in which sin² + cos² = 1 leaves a ratio of an angle as a factor of all."""
@@ -663,6 +664,8 @@ class Conditions:
         """A condition solved for its letter by one more line, where it is linear in it."""
         solved = solve_linear(self.scene, sign, x, wanted)
         if solved is None:
+            if self._is_one_factor(line):
+                return line
             known = self.worths.known_in(x)
             if wanted is not None and len(x.free_symbols) > 1:
                 last = solve_in_squares(self.worths, line, sign, x, wanted, known)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Event, Line, Ref, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Expression,
+    Letter,
     Number,
     Pair,
     Quantity,
     Unit,
     is_quantity,
     is_zero,
+    letters,
 )
 from restitution.planning.writing.forms import negative
 from restitution.render import layout as lay
@@ -25,6 +28,11 @@ from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.senses_at_walls import is_turned_along
 from restitution.workings.naming.sources import Sources
+
+
+def _ids(premises: Iterable[Ref]) -> Iterator[str]:
+    """The facts among premises."""
+    return (ref for ref in premises if isinstance(ref, str))
 
 
 def _parts(tree: Expression) -> tuple[Expression, ...]:
@@ -111,7 +119,24 @@ class Staying:
             return False
         assert isinstance(line.relation, Relation)
         wanted = line.number in self._sources.numbers or self._ends.of(line) is not None
-        return len(line.relation.only) == 1 and not wanted and self.is_idle(line)
+        known_later = self._is_rest_given_later(line)
+        return (
+            len(line.relation.only) == 1 and not wanted and not known_later and self.is_idle(line)
+        )
+
+    def _is_rest_given_later(self, line: Line) -> bool:
+        """Whether a line gives a letter, with which a line above was written, by a given rest."""
+        assert isinstance(line.relation, Relation)
+        letter, facts = line.relation.only[0].left, map(self._facts.get, _ids(line.premises))
+        if not isinstance(letter, Letter) or all(e is None or e.kind != "given" for e in facts):
+            return False
+        return any(
+            isinstance(own.relation, Relation)
+            and own.shown != "silent"
+            and any(letter.name in letters(tree) for tree in trees_of(own.relation))
+            for own in self._lines.values()
+            if own.number < line.number
+        )
 
     def _sense(self, line: Line, event: Event) -> lay.Layout | None:
         """The direction in which a component that stays is counted, where it has a short name."""

@@ -287,8 +287,13 @@ class Ends:
                     angle = say("derived.acute", angle=self._naming.layout(acute))
                     return say("claim.as", claim=claim, reason=angle)
                 if how in ("in the direction of", "opposite to"):
-                    body = self._perhaps_at_rest(link)
-                    if body is not None:
+                    rest = self._perhaps_at_rest(link)
+                    if rest is not None:
+                        body, letter, value = rest
+                        moving = self._given_apart(end.item, letter, value)
+                        if moving is not None:
+                            reason = self._naming.relation(moving)
+                            return say("claim.as", claim=claim, reason=reason)
                         return say("claim.unless-at-rest", claim=claim, body=body)
                 return claim
             case Aligned(left, how, right) if end.answer.only[0].sign in FLIPPED:
@@ -309,8 +314,27 @@ class Ends:
                         return fact.relation
         return None
 
-    def _perhaps_at_rest(self, link: Link) -> str | None:
-        """The body whose velocity is a multiple that some coefficient of 0 or 1 makes zero."""
+    def _given_apart(self, item: str, name: str, value: int) -> Relation | None:
+        """The given bound by which a coefficient is not 0, or not 1, in the part of an item."""
+        for fact in self._facts:
+            match fact.relation.options:
+                case ((Link(Letter(own), "<" | ">" | "!=" as sign, Number(bound)),),):
+                    pass
+                case _:
+                    continue
+            if fact.kind not in ("given", "range") or own != name:
+                continue
+            below, above = sign == "<" and bound <= value, sign == ">" and bound >= value
+            in_force = fact.part in (None, self._parts.get(item))
+            if in_force and (below or above or (sign == "!=" and bound == value)):
+                return fact.relation
+        return None
+
+    def _perhaps_at_rest(self, link: Link) -> tuple[str, str, int] | None:
+        """The body whose velocity is a multiple that a coefficient of 0 or 1 makes zero.
+
+        With it stand that coefficient and its value.
+        """
         if not is_quantity(link.left, "velocity"):
             return None
         known = roles(self._problem)
@@ -319,9 +343,10 @@ class Ends:
         value = in_letters(multiple)
         for symbol in sorted(value.x.free_symbols, key=str) if isinstance(value, Vector) else ():
             if symbol.name in known and known[symbol.name].kind == "restitution":
-                ends = (value.x.subs(symbol, end) for end in (0, 1))
-                if any(end == 0 for end in ends):
-                    return next((n.name for n in link.left.arguments if isinstance(n, Name)), None)
+                rest = next((end for end in (0, 1) if value.x.subs(symbol, end) == 0), None)
+                body = next((n.name for n in link.left.arguments if isinstance(n, Name)), None)
+                if rest is not None and body is not None:
+                    return body, symbol.name, rest
         return None
 
     def _acute_in(self, multiple: Expression) -> Letter | None:

@@ -59,7 +59,11 @@ from restitution.workings.reasons.pythagoras import (
     square_by_the_tangent,
 )
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
-from restitution.workings.reasons.rejected_roots import bound_of_a_ratio, made_of_a_root
+from restitution.workings.reasons.rejected_roots import (
+    bound_of_a_quadratic,
+    bound_of_a_ratio,
+    made_of_a_root,
+)
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO
 from restitution.workings.reasons.shares import bounded_factors
@@ -182,6 +186,9 @@ class Reasons(PositiveReasons):
         if vertical:
             known = self.known(line) if self._of_sizes(line) else ()
             return (say("derived.as", reasons=known), *vertical) if known else vertical
+        bound = bound_of_a_quadratic(self._derivation, self._roles, line)
+        if bound is not None:
+            return (say("derived.as", reasons=(self._layout(bound),)),)
         since = later_than(self._derivation, self._naming, line)
         if since is not None:
             return (since,)

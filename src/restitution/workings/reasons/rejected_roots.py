@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -15,10 +16,22 @@ from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Relation,
+    Sign,
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Negate, Number, Unit, is_function, letters
+from restitution.expression.tree import (
+    Apply,
+    Letter,
+    Negate,
+    Number,
+    Unit,
+    has_quantity,
+    is_function,
+    letters,
+)
+from restitution.oracle import BeyondError, Oracle, Role
+from restitution.oracle import Relation as Claim
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.figures import Figures
@@ -125,6 +138,39 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
     return say("circle.ahead", body=body, axis=axis)
 
 
+def bound_of_a_quadratic(
+    derivation: Derivation, known: Mapping[str, Role], line: Line
+) -> Relation | None:
+    """``e >= 0``, where a line has one root of a quadratic whose roots have opposite signs."""
+    cited = list(derivation.lines_in(line.premises))
+    if line.move.id != "solve" or len(cited) != 1 or len(line.premises) != 1:
+        return None
+    match line.relation, cited[0].relation:
+        case Relation(((Link(Letter(name), "="),),)), Relation(((Link(left, "=", right),),)):
+            role = known.get(name)
+        case _:
+            return None
+    if role is None or role.kind not in ("restitution", "positive") or has_quantity(left):
+        return None
+    letter = sp.Symbol(name)
+    try:
+        gap = sp.expand(in_letters(left) - in_letters(right))
+    except (RestitutionError, TypeError):
+        return None
+    if not gap.is_polynomial(letter) or sp.degree(gap, letter) != 2:
+        return None
+    product = gap.subs(letter, 0) * gap.coeff(letter, 2)
+    others = {each: role for each, role in known.items() if each != name}
+    try:
+        opposite = product.free_symbols <= {sp.Symbol(e) for e in others} and Oracle(others).proves(
+            Claim(-product, ">")
+        )
+    except BeyondError:
+        return None
+    sign: Sign = ">=" if role.kind == "restitution" else ">"
+    return Relation(((Link(Letter(name), sign, Number(Fraction(0))),),)) if opposite else None
+
+
 def bound_of_a_ratio(derivation: Derivation, line: Line) -> Relation | None:
     """``cos α ≥ −1``, where that excludes the roots of a sine or a cosine that a line rejects."""
     above = derivation.line(line.premises[0]) if len(line.premises) == 1 else None
@@ -143,4 +189,4 @@ def bound_of_a_ratio(derivation: Derivation, line: Line) -> Relation | None:
     return None
 
 
-__all__ = ["bound_of_a_ratio", "made_of_a_root", "root_on_a_rim"]
+__all__ = ["bound_of_a_quadratic", "bound_of_a_ratio", "made_of_a_root", "root_on_a_rim"]
