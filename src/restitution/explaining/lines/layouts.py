@@ -544,7 +544,20 @@ def _is_surd(factor: lay.Layout) -> bool:
     return isinstance(factor, lay.Root) and isinstance(factor.inside, lay.Number)
 
 
+def _is_quotient_with_a_root(factor: lay.Layout) -> bool:
+    """Whether a factor is a quotient of numbers with a root: ``1/√3``."""
+    match factor:
+        case lay.Fraction(above, below):
+            sides = (above, below)
+            return any(map(_is_surd, sides)) and all(_is_surd(e) or _numeric(e) for e in sides)
+    return False
+
+
 def _grouped(product: lay.Product) -> lay.Layout:
+    if len(product.factors) > 2 and not product.sign:
+        one, other, *more = product.factors
+        if _is_quotient_with_a_root(one) and _is_surd(other):
+            return lay.Product((one, lay.Brackets(lay.product(other, *more))))  # (1/√3)(√3 u)
     product = _roots_first(product)
     first, *rest = product.factors
     if isinstance(first, lay.Product) and first.sign == "×":

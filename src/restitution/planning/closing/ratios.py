@@ -16,11 +16,13 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Negate,
     is_binary,
     is_function,
     letters,
     walk,
 )
+from restitution.planning.closing.common_factors import sums_above
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as
 from restitution.planning.formulas.impacts import residual, scene_value
@@ -238,6 +240,7 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
     if by_tangent is not None:
         return by_tangent
     if poly.degree() == 1:
+        line = _collected(scene, line, poly, subject)
         value = tidy(-poly.nth(0) / poly.nth(1))
         relation = chain(subject, (tree_of(value), None))
         move, above = Move("rearrange"), scene.desk.line(line)
@@ -255,6 +258,24 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
             return None
         (known,) = source.refs  # type: ignore[assignment]
     return inverse(scene, known, symbol)
+
+
+def _collected(scene: Scene, line: int, poly: sp.Poly, subject: Expression) -> int:
+    """The line with a sum that cancels as a factor of both sides: ``(1 + e)a = (1 + e)b tan α``.
+
+    The line itself where no sum such as 1 + e does, or where both sides are products already.
+    """
+    rest, slope = factored(-poly.nth(0)), factored(poly.nth(1))
+    common = sums_above(rest).keys() & sums_above(slope).keys()
+    link = scene.desk.last_link(line)
+    if not common or not any(is_binary(side, "+", "-") for side in (link.left, link.right)):
+        return line
+    left, right = tree_of(rest), tree_of(slope)
+    if isinstance(left, Negate) and isinstance(right, Negate):
+        left, right = left.operand, right.operand
+    relation = equality(left, product(right, subject))
+    written = scene.judge.write((Move("rearrange"),), (line,), relation, _background(scene, line))
+    return written or line
 
 
 def _by_its_tangent(

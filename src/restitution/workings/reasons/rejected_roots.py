@@ -160,11 +160,11 @@ def bound_of_a_quadratic(
     if not gap.is_polynomial(letter) or sp.degree(gap, letter) != 2:
         return None
     product = gap.subs(letter, 0) * gap.coeff(letter, 2)
-    others = {each: role for each, role in known.items() if each != name}
+    others = {other: role for other, role in known.items() if other != name}
     try:
-        opposite = product.free_symbols <= {sp.Symbol(e) for e in others} and Oracle(others).proves(
-            Claim(-product, ">")
-        )
+        opposite = product.free_symbols <= {sp.Symbol(other) for other in others} and Oracle(
+            others
+        ).proves(Claim(-product, ">"))
     except BeyondError:
         return None
     sign: Sign = ">=" if role.kind == "restitution" else ">"
