@@ -336,6 +336,14 @@ def test_a_tangent_holds_where_one_of_its_angles_is_right() -> None:
     assert "= (1 + e)/(2 − e) which holds if e = ½ too, where δ = 45°" in text
 
 
+def test_a_tangent_holds_at_a_right_angle_beside_one_that_a_line_tells_in_numbers() -> None:
+    text = working(
+        "sphere A: mass m, velocity 3u i + 4u j\nsphere B: mass 2m, velocity -u i\n"
+        "A hits B: along i\nfind tan(deflection(A)) in terms of e"
+    )
+    assert "which holds if e = ⅛ too, where δ = 90° − θ" in text
+
+
 def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:
     text = working(TABLE)
     assert "0 < 2 − 4k < 9k, as k > 0" in text

@@ -98,3 +98,23 @@ def test_a_place_with_a_sum_of_a_root_is_figures_among_decimals() -> None:
     )
     assert "position of P at the second impact ≈ (" in text
     assert "√3" not in text
+
+
+def test_a_vector_that_comes_out_exactly_is_worked_out_exactly_among_decimals() -> None:
+    """And a component is a decimal below it, though that fraction was typed as the coefficient."""
+    text = printed(
+        "wall W: along i + j\nsphere S: mass 0.4, velocity 5i - j\nS hits W: e = 1/2\n"
+        "part a\nfind velocity(S)\npart b\nfind deflection(S)"
+    )
+    assert "≈" not in text.partition("(b)")[0]
+    assert "= (0.5𝐢 + 3.5𝐣) m s⁻¹" in text
+    assert "(5 × 0.5 − 3.5)/(√(5² + 1²)√(0.5² + 3.5²))" in text
+
+
+def test_a_vector_of_fifths_stays_in_fifths_below_such_components() -> None:
+    text = printed(
+        "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 4, velocity -i + j\n"
+        "A hits B: along 3i - 4j\ngiven impulse = 6\nfind velocity(A), velocity(B)"
+    )
+    assert "= (5𝐢 + 2𝐣) − ⅗(3𝐢 − 4𝐣) = ((16/5)𝐢 + (22/5)𝐣) m s⁻¹" in text
+    assert "= 2((16/5)𝐢 + (22/5)𝐣) + 4𝐯_B" in text

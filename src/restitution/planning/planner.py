@@ -29,6 +29,7 @@ from restitution.planning.axes.by_changes import frame_at, write_axis
 from restitution.planning.axes.offsets import given_by_offsets, open_angles, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
 from restitution.planning.axes.opposite_impulses import (
+    write_impulse_by_its_size,
     write_impulse_of_an_open_line,
     write_opposite_impulse,
 )
@@ -531,6 +532,7 @@ def _write_end(
         if isinstance(item, Value):
             # An impulse by vectors needs no line of centres, and tells one that is open.
             asked = staged(scene.problem, item.expression, now)
+            write_impulse_by_its_size(scene, asked)
             write_opposite_impulse(scene, asked)
             write_impulse_of_an_open_line(scene, asked)
         write_open_lines(scene)

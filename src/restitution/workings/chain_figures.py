@@ -130,14 +130,16 @@ class ChainsInFigures:
         """Puts figures for values that are on paper; the numbers of the sides that have them."""
         exact = list(trees)
         last, calculated = trees[-1], self._figures.with_calculator
-        # Some come to an exact number.
-        plain = len(links) > 1 and not (
-            has_quantity(last)
-            or letters(last)
-            or of_plain_angles(last)
-            or self._figures.has_sums_of_roots(last)
+        # Some come to an exact number, and vectors to that of the line below.
+        number = last if len(links) > 1 else self._outcome_below(line, links[0])
+        plain = number is not None and not (
+            has_quantity(number)
+            or letters(number)
+            or of_plain_angles(number)
+            or self._figures.has_sums_of_roots(number)
         )
-        plain = plain and not (calculated and self._figures.has_known(trees[1]))
+        known = calculated and len(links) > 1 and self._figures.has_known(trees[1])
+        plain = plain and not known
         plain = plain or (not calculated and self._stays_exact(line, last))
         elsewhere = calculated and self._leads_elsewhere(line, last)
         if elsewhere and (more := self._figures.rounded_alike(last)) is not None:
@@ -200,6 +202,17 @@ class ChainsInFigures:
             self._figures.stands_for(last, trees[-1])
             return frozenset({len(trees) - 1})
         return put
+
+    def _outcome_below(self, line: Line, link: Link) -> Expression | None:
+        """What a vector comes to in the line below, which only works it out; None of another."""
+        lines = self._derivation.lines
+        below = lines[lines.index(line) + 1 :][:1] if is_vector(link.left) else ()
+        for own in below:
+            if own.move.id == "rearrange" and own.premises == (line.number,):
+                match own.relation:
+                    case Relation(((Link(link.left), *_) as worked,)):
+                        return worked[-1].right
+        return None
 
     def _puts_in_figures(self, line: Line, value: Expression) -> bool:
         """Whether a number comes of what another part has in figures: it is one itself then."""

@@ -105,7 +105,8 @@ class Chains(ChainsInFigures):
         if draft.signs[-1] in ("=", "≈") and last:
             self._with_its_end(draft)
             own = draft.trees[-1], draft.sides[-1], draft.signs[-1]
-            self._decimals.note(links[-1], *own)
+            measured = bool(self._measures.unit(links[0].left))
+            self._decimals.note(links[-1], *own, measured=measured)
         elif last and self._ends.of(line) is not None:
             self._bounded(draft.trees, draft.sides)
         return Row(tuple(draft.sides), tuple(draft.signs))
@@ -135,8 +136,11 @@ class Chains(ChainsInFigures):
             return Row((operand(say(words, left=left, right=right)), *further), signs)
         return None
 
-    def _trees(self, links: tuple[Link, ...]) -> list[Expression]:
-        """The sides of a chain, as decimals where the data are decimals."""
+    def _trees(self, links: tuple[Link, ...], of_vectors: bool = False) -> list[Expression]:
+        """The sides of a chain, as decimals where the data are decimals.
+
+        ``of_vectors`` says that all numbers in it are components.
+        """
         trees = [links[0].left, *(link.right for link in links)]
         # Of a range it stands between its bounds.
         subject = trees[1] if isinstance(as_decimal(trees[0]), Number) else trees[0]
@@ -150,11 +154,12 @@ class Chains(ChainsInFigures):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
             case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
                 trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
-        return self._decimals.put(trees, measured=bool(self._measures.unit(links[0].left)))
+        measured = bool(self._measures.unit(links[0].left))
+        return self._decimals.put(trees, measured=measured, of_vectors=of_vectors)
 
     def _draft(self, line: Line, links: tuple[Link, ...]) -> Draft:
         """The sides as they are set by themselves, with figures for values that are on paper."""
-        trees = self._trees(links)
+        trees = self._trees(links, line.move.record in BY_A_LENGTH)
         nested = any(map(self._figures.has_sums_of_roots, trees))
         in_figures = self._in_figures(line, links, trees)
         sides = [self._naming.layout(tree) for tree in trees]

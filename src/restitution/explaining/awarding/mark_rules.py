@@ -56,6 +56,7 @@ _VECTORS = (
     "impulse-vector",
     "opposite-impulses",
     "across-the-impulse",
+    "impulse-direction",
     "along-the-change",
     "changed-velocity",
     "equal-across",

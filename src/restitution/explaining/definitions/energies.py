@@ -44,6 +44,17 @@ def impulse_along_the_line(step: Step, event: Event | None) -> Iterator[Link]:
         yield Link(Quantity("impulse", (Name(body),), number), "=", vector)
 
 
+def impulse_by_its_size(step: Step, event: Event | None) -> Iterator[Link]:
+    """The impulse on a body: its size along the line of centres, away from the other body."""
+    if event is None or event.kind != "impact" or step.world.direction(axis_of(event)) is None:
+        return
+    size = Quantity("impulse", (), event.number)
+    for body in step.move.bodies:
+        towards = Negate(size) if body == event.bodies[0] else size
+        vector = Polar(towards, Degrees(Fraction(0)), axis_of(event))
+        yield Link(Quantity("impulse", (Name(body),), event.number), "=", vector)
+
+
 def velocity_by_its_change(step: Step, event: Event | None) -> Iterator[Link]:
     """A velocity after an impact by that before it, and its change along a line that slants."""
     for body, number, change, axis in _changes_along(step, event):

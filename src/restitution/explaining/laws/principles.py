@@ -212,6 +212,8 @@ PRINCIPLES = (
         "impact",
         ("line_of_centres",),
     ),
+    # Its size, along the line of centres, away from the other body.
+    Record("impulse-direction", "principle", (), "impact", ("impulse",)),
     # The velocity before, and the change along the line of centres, or into the wall.
     Record("changed-velocity", "principle", (), "impact", ("velocity",)),
     # Who was at rest goes along the line of centres: to where its next event is.

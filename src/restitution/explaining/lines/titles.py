@@ -18,6 +18,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "opposite-impulses": (None, "derived-opposite.title"),
     "impulse": ("impulse-wall.title", "impulse-spheres.title"),
     "across-the-impulse": ("impulse-normal.title", "impulse-line.title"),
+    "impulse-direction": ("impulse-away.title", "impulse-along.title"),
     "along-the-change": ("impulse-normal.title", "impulse-line.title"),
     "changed-velocity": ("changed-wall.title", "changed-spheres.title"),
     "component": ("resolved-wall.before", "resolved-spheres.before"),

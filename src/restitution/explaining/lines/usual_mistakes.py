@@ -93,6 +93,8 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
     "round": ("angle-with-circle", "all-equal"),
     "chord": ("chord-two-angles", "speed-of-before"),
     "impulse-line": ("velocity-for-change",),
+    "impulse-along": ("vector-not-unit",),
+    "impulse-away": ("vector-not-unit",),
     "impulse-normal": ("change-along-wall",),
     "moves-off": ("moves-as-the-other",),
     "loss-spheres": (

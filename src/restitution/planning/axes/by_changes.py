@@ -468,7 +468,7 @@ def take_known_impulse(scene: Scene, body: str, event: int) -> bool:
 def rests_on_vectors(scene: Scene, impulse: Source) -> bool:
     """Whether an impulse comes by changes of velocities as vectors, with no component under it."""
     records = {line.move.record for line in scene.desk.lines_under(impulse)}
-    return records <= {None, "impulse-vector", "opposite-impulses"}
+    return records <= {None, "impulse-vector", "impulse-direction", "opposite-impulses"}
 
 
 def take_opposite(scene: Scene, given: GivenEquation) -> str | None:

@@ -1,4 +1,4 @@
-"""Impulses by velocities as vectors, of the sphere itself or of the other one."""
+"""Impulses as vectors: by their size, by velocities of the sphere itself or of the other one."""
 
 from __future__ import annotations
 
@@ -8,10 +8,46 @@ from restitution.expression.tree import Binary, Expression, Letter, Name, Quanti
 from restitution.planning.axes.by_changes import rests_on_vectors
 from restitution.planning.axes.momenta import velocity_as_vector
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
-from restitution.planning.writing.desk import together
+from restitution.planning.formulas.given_values import given_value
+from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import negative, product, tree_of
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import unit_tree, whole_direction
 from restitution.vector import Vector
+
+
+def write_impulse_by_its_size(scene: Scene, impulse: Expression) -> None:
+    """Writes the impulse on a body as its size, which is given, along a line that the data tell.
+
+    Nothing is written where a velocity after the impact stands, or the impulse on the other
+    sphere: then it comes by that.
+    """
+    match impulse:
+        case Quantity("impulse", (Name(body),), int(event)) if event in scene.model.frames:
+            size = Quantity("impulse", (), event)
+        case _:
+            return
+    impulses = (Quantity("impulse", (Name(sphere),), event) for sphere in scene.spheres(event))
+    standing = (*impulses, Quantity("velocity", (Name(body),), event))
+    if any(scene.desk.known(own) is not None for own in standing):
+        return
+    own_frame, own = scene.model.frames[event], given_value(scene, size)
+    if own is None or f"axis {event}" not in scene.facts or own_frame.by_values:
+        return
+    if not all(component.is_number for component in own_frame.n):
+        return
+    # A frame leads away from a wall, and from the first sphere to the second.
+    away = own_frame.n if own_frame.wall or body != scene.spheres(event)[0] else -own_frame.n
+    whole, length = whole_direction(away)
+    value = Vector(*(tidy(own.value * component) for component in away))
+    right, between = tree_of(value), None
+    if all(away):
+        right = product(tree_of(own.value), unit_tree(away))
+        between = product(tree_of(tidy(own.value / length)), tree_of(whole))
+    move = Move("law", "impulse-direction", event, (body,))
+    refs = together(own.refs, scene.frame(event).refs)
+    if scene.judge.follows(move, refs, chain(impulse, (right, None))):
+        write_formula(scene, Formula(move, itself, impulse, right, value, refs, between))
 
 
 def write_opposite_impulse(scene: Scene, impulse: Expression) -> None:
@@ -103,4 +139,9 @@ def is_by_vectors(scene: Scene, impulse: Quantity) -> bool:
     )
 
 
-__all__ = ["is_by_vectors", "write_impulse_of_an_open_line", "write_opposite_impulse"]
+__all__ = [
+    "is_by_vectors",
+    "write_impulse_by_its_size",
+    "write_impulse_of_an_open_line",
+    "write_opposite_impulse",
+]

@@ -1,4 +1,4 @@
-"""Energies that the statement gives: they are quoted, and not worked out."""
+"""Values that the statement gives: they are quoted, and not worked out."""
 
 from __future__ import annotations
 
@@ -12,6 +12,11 @@ def given_energy(scene: Scene, quantity: Expression) -> Source | None:
     """The value of an energy, or of a loss, as it is given; None of what no fact says alone."""
     if not isinstance(quantity, Quantity) or quantity.kind not in ENERGIES:
         return None
+    return given_value(scene, quantity)
+
+
+def given_value(scene: Scene, quantity: Quantity) -> Source | None:
+    """The value of a quantity as it is given; None where no fact says it, or it is open."""
     for equation in scene.given:
         if is_value_of(equation.link, quantity):
             value, more = scene.put(scene.scalar(equation.link.right))
@@ -19,4 +24,4 @@ def given_energy(scene: Scene, quantity: Expression) -> Source | None:
     return None
 
 
-__all__ = ["given_energy"]
+__all__ = ["given_energy", "given_value"]

@@ -19,7 +19,7 @@ from restitution.planning.axes.given_momenta import (
     write_velocity_by_momentum,
 )
 from restitution.planning.closing.excluded_roots import senses, written_law
-from restitution.planning.formulas.impacts import _given_after, after, residual
+from restitution.planning.formulas.impacts import _given_after, after, named, residual
 from restitution.planning.formulas.ties import tied
 from restitution.planning.routes.course import Course
 from restitution.planning.routes.given_directions import wall_of, write_resolved
@@ -458,6 +458,31 @@ class ByFacts(Course):
             if source is not None:
                 value = frame.letter_sign * source.value
                 scene.desk.know(Letter(component.symbol.name), value, source.refs)
+
+    def _impulse_at_a_wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """The component after a wall that an impulse tells, where no coefficient is wanted.
+
+        It is the one before, less the impulse over the mass.
+        """
+        scene, ids = self.scene, {candidate.id for candidate in left}
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            match given.link if given is not None else None:
+                case Link(Quantity("impulse", (), int(event)), "=") if (
+                    self._open(own) == self._after(event).keys() and f"wall {event}" not in ids
+                ):
+                    frame = scene.frame(event)
+                case _:
+                    continue
+            if frame.wall is None:
+                continue
+            ((symbol, body),) = self._after(event).items()
+            standing = self.mark()
+            named(scene, body, frame)
+            if given is not None and self._closes(write_given(scene, given), symbol):
+                return (own,)
+            self.back(standing)
+        return None
 
     def _direction_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A velocity after a wall of which the direction is given, and the law of that wall."""

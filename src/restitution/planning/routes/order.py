@@ -216,6 +216,7 @@ class Solver(Closing):
             self._direction_given,
             self._speed_compared,
             self._resolved,
+            self._impulse_at_a_wall,
             self._wall,
             self._fact_expresses,
             self._fact_ties,

@@ -45,6 +45,7 @@ PRINCIPLES: Mapping[str, str] = {
     "impulse-vector": "impulse",
     "opposite-impulses": "impulse",
     "across-the-impulse": "impulse",
+    "impulse-direction": "impulse",
     "along-the-change": "impulse",
     "changed-velocity": "velocity",
     "wall-direction": "impulse",

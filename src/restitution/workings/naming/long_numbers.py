@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.lines.derivation import Derivation, Fact, Relation
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Relation
 from restitution.expression.tree import Expression, Letter, Number, has_root, is_function, walk
 from restitution.workings.naming.plain_angles import plain_angles
 from restitution.workings.naming.roots_of_roots import (
@@ -18,12 +18,17 @@ def has_long_numbers(derivation: Derivation) -> bool:
     """Whether a working has roots that nobody reads, where velocities are decimals.
 
     Where other data are, those of numbers of three figures alone, if one is used again. Not where
-    the question has roots itself.
+    the question has roots itself. The cosine of a scalar product does not count, nor its angle:
+    these are figures in any case, and the components above them need none.
     """
     own = [fact for fact in derivation.facts if _is_in_decimals(fact)]
     if not own:
         return False
-    relations = [e.relation for e in derivation.lines if isinstance(e.relation, Relation)]
+    relations = [
+        line.relation
+        for line in derivation.lines
+        if isinstance(line.relation, Relation) and not _is_of_a_scalar_product(derivation, line)
+    ]
     if any(fact.id.startswith("velocity ") for fact in own):
         lines, has_one = 1, has_unwieldy_root
     else:
@@ -33,6 +38,12 @@ def has_long_numbers(derivation: Derivation) -> bool:
     data = [fact.relation for fact in derivation.facts if fact.kind != "geometry"]
     shown = [end.answer for end in derivation.items if end.shown]
     return not any(has_root(tree) for relation in (*data, *shown) for tree in relation.trees)
+
+
+def _is_of_a_scalar_product(derivation: Derivation, line: Line) -> bool:
+    """Whether a line has the cosine of an angle by a scalar product, or the angle by it."""
+    above = derivation.lines_in(line.premises) if line.move.id == "inverse" else ()
+    return any(own.move.record == "scalar-angle" for own in (line, *above))
 
 
 def _has_a_root_of_three_figures(tree: Expression) -> bool:

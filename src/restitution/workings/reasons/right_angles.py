@@ -241,7 +241,10 @@ class RightAngles:
             return None
         tangent = sp.tan(sp.expand(at)) if at.has(sp.pi) else None
         known = value.subs(sp.Symbol(vertical.left.name), root)
-        if tangent is None or tidy(self._given_in(sp.expand_trig(tangent), line) - known) != 0:
+        if tangent is None:
+            return None
+        put = self._given_in(sp.expand_trig(tangent), line)
+        if tidy(put.subs(sp.Symbol(vertical.left.name), root) - known) != 0:
             return None
         where = Relation(((vertical,),))
         if at.is_number:
@@ -324,11 +327,15 @@ class RightAngles:
         return (name, value) if bool(value > 0) and bool(value < sp.pi / 2) else None
 
     def _given_in(self, value: sp.Expr, line: Line) -> sp.Expr:
-        """A value in tangents of letters, those put in that a line takes from the data."""
-        for fact in self._derivation.facts_in(line.premises):
-            match fact.relation:
-                case Relation(((Link(Apply("tan", Letter(name)), "=", right),),)):
-                    known = in_letters_alone(right)
+        """A value in tangents of letters, those put in that a line cites, of data and of lines."""
+        cited = (
+            *self._derivation.facts_in(line.premises),
+            *self._derivation.lines_in(line.premises),
+        )
+        for source in cited:
+            match source.relation:
+                case Relation(((Link(Apply("tan", Letter(name)), "="), *_) as links,)):
+                    known = in_letters_alone(links[-1].right)
                     if known is not None:
                         angle = sp.Symbol(name)
                         value = value.subs({sp.tan(angle): known, sp.cot(angle): 1 / known})

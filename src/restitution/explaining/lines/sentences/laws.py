@@ -85,6 +85,19 @@ SENTENCES: Mapping[str, str] = {
     "impulse-normal.title": (
         "The impulse, and so the change of velocity, is perpendicular to {wall}"
     ),
+    "impulse-along.why": (
+        "The spheres are smooth, so each pushes the other along the line through their centres. "
+        "The impulse on a sphere has the size that is given, in the direction away from the other "
+        "sphere."
+    ),
+    "impulse-along.title": (
+        "The impulse on {body} is along the line of centres, away from the other sphere"
+    ),
+    "impulse-away.why": (
+        "A smooth wall pushes only perpendicular to itself, and away. So the impulse has the size "
+        "that is given, in that direction."
+    ),
+    "impulse-away.title": "The impulse on {body} is perpendicular to {wall}, away from it",
     "changed-spheres.why": (
         "The spheres are smooth, so the impulse is along the line of centres, and so is the change "
         "of each velocity. What is added to the velocity before is the change of its component "
