@@ -328,12 +328,10 @@ class RightAngles:
 
     def _given_in(self, value: sp.Expr, line: Line) -> sp.Expr:
         """A value in tangents of letters, those put in that a line cites, of data and of lines."""
-        cited = (
-            *self._derivation.facts_in(line.premises),
-            *self._derivation.lines_in(line.premises),
-        )
-        for source in cited:
-            match source.relation:
+        facts = (fact.relation for fact in self._derivation.facts_in(line.premises))
+        lines = (own.relation for own in self._derivation.lines_in(line.premises))
+        for relation in (*facts, *lines):
+            match relation:
                 case Relation(((Link(Apply("tan", Letter(name)), "="), *_) as links,)):
                     known = in_letters_alone(links[-1].right)
                     if known is not None:
