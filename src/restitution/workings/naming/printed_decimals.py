@@ -119,7 +119,7 @@ class PrintedDecimals:
             self._as_fractions |= fractions
             velocity = not is_quantity(link.left, "line_of_centres", "direction")
             self._has_a_vector |= velocity and bool(fractions) and _is_in_components(link.right)
-            if measured:
+            if measured and is_binary(own, "/"):
                 parts = {value.denominator for value in fractions}
                 self._parts |= {part for part in parts if part < _TEN}
 
