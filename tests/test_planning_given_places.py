@@ -9,6 +9,7 @@ import pytest
 from workings import planned
 
 from restitution import parse, solve
+from restitution.explaining.lines.notation import read_tree
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
@@ -103,3 +104,21 @@ find V
 """
     text = to_text(explain(solve(parse(statement))))
     assert "V = 11/4" in text
+
+
+def test_a_coordinate_that_the_wall_tells_is_not_worked_out_for_the_place() -> None:
+    _, derivation = planned("""
+wall F: along i, through (0, 0)
+wall V: along j, through (4a, 0)
+sphere P: at (a, a), velocity 4k u i - 2u j
+P hits F: e = 1/2
+P hits V: e = 1/3
+part a
+given position(P, 2) = (4a, 1/4 a)
+find k
+part b
+given k = 1
+find time(2)
+""")
+    there = read_tree("along(position(P, 2), i)", {})
+    assert there not in [tree for line in derivation.lines for tree in line.relation.trees]

@@ -491,3 +491,13 @@ def test_a_sphere_at_rest_does_not_move_away_from_a_wall() -> None:
 def test_one_that_a_letter_excludes_is_not_refused_in_itself() -> None:
     text = ALONG.replace("6i + 8j", "u i + 8j").replace("find speed(Q)\n", "")
     assert solve(parse(text)).parts[None].items[0].error is None
+
+
+def test_a_mass_that_comes_out_negative_is_worked_out_with_what_an_earlier_part_has() -> None:
+    """The equation cannot hold for a mass, and is followed all the same: values are put into it."""
+    text = working(
+        "sphere A: mass m, velocity 3u i + 4u j\nsphere B: mass k m, velocity -u i\n"
+        "A hits B: along i, e = 1/3\npart a\nfind speed(B)\n"
+        "part b\ngiven deflection(A) = 90°\nfind k"
+    )
+    assert "k = −25/9 ≈ −2.78 But k is positive. So what is described cannot happen." in text

@@ -54,3 +54,12 @@ def test_where_the_coefficient_is_asked_first_it_comes_first() -> None:
     )
     assert "eu sin α" in text
     assert "e = ½" in text
+
+
+def test_the_component_that_is_used_later_is_named_and_not_the_vector_made_of_it() -> None:
+    text = printed(
+        "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 4, velocity -i + j\n"
+        "A hits B: along 3i - 4j\ngiven impulse = 6\npart a\nfind velocity(A), velocity(B)\n"
+        "part b\nfind e"
+    )
+    assert "Newton's experimental law, with 𝐮_A · 𝐧 and v = −8/5 m s⁻¹ from part (a):" in text

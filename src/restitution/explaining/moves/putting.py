@@ -58,7 +58,7 @@ def is_put(step: Step, line: Link) -> bool:
     if line.sign == "parallel to":
         return any(points_along(step, line, link, rules) for link in base.only)
     _note_divisor(step, line, rules)
-    alone = without_angles(step)
+    alone = _without_values(without_angles(step), line)
     if step.move.id == "put" and any(
         matches(alone, line, expected, link.sign)
         and (link.sign == "=" or not _is_replaced(alone, line, expected))
@@ -73,6 +73,18 @@ def is_put(step: Step, line: Link) -> bool:
         for link in (*flat(base.only), *_below_roots(step, base))
         for expected in (expected_residual(step, link, rules),)
     ) or _is_ratio_of_powers(step, line)
+
+
+def _without_values(step: Step, line: Link) -> Step:
+    """The step with its base alone, for an equation that cannot hold: k = −75/19 of a mass km.
+
+    With the values that are put in it would be a multiple of any equation that cannot hold either.
+    """
+    own = step.residual(line) if line.sign == "=" else None
+    if isinstance(own, Quotient) and step.signs.of(own, sure=False) is not None:
+        base = base_of(step)
+        return step.under(cited=tuple(one for one in step.cited if one.relation is base))
+    return step
 
 
 def _is_in_letters(step: Step, line: Link, base: Relation) -> bool:

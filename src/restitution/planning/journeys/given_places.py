@@ -33,15 +33,18 @@ def write_given_place(scene: Scene, equation: GivenEquation) -> int:
         case _:
             raise NotPlannedError("a relation with places")
     for axis, given in zip(place_trees.AXES, place, strict=True):
+        mark = scene.desk.mark()
         own = coordinate(scene, body, stage, axis)
         if not any(isinstance(ref, int) for ref in own.refs):
             own = coordinate_moved(scene, body, stage, axis)
-        if not scene.unknown(own.value):
-            continue
         relation = chain(tree_of(own.value), (tree_of(given), None))
-        premises = scene.judge.enough(Move("put"), (*own.refs, *equation.refs), relation)
+        premises = None
+        if scene.unknown(own.value):
+            premises = scene.judge.enough(Move("put"), (*own.refs, *equation.refs), relation)
         if premises is not None:
             return scene.desk.write(Move("put"), premises, relation)
+        # Where a wall is told, that the body is there is not worked out.
+        scene.desk.back(mark)
     raise NotPlannedError("a place that is given at an event")
 
 

@@ -264,6 +264,9 @@ class Course:
         component = scene.model.components.get((event, body))
         if component is None:
             return
+        own = scene.desk.known(Letter(component.symbol.name))
+        if own is not None and not scene.unknown(own.value):
+            return  # the vector was made of it
         frame = scene.frame(event)
         velocity = scene.desk.known(Quantity("velocity", (Name(body),), event))
         if velocity is not None and frame.is_slanted:
