@@ -21,15 +21,7 @@ def test_a_coefficient_is_free_on_any_line_of_centres(mass: str) -> None:
 
 
 def test_a_range_that_rests_on_the_line_of_centres_asks_for_it() -> None:
-    text = """wall K: circle centre (0, 0) radius 10
-sphere A, B: mass 1
-sphere A: at (0, 0), velocity 2i
-sphere B: at (3, 0), at rest
-A hits B: e = e1
-B hits K: e = 1
-A hits B: e = 1
-find range of e1
-"""
+    text = DIRECT.format(m=1).replace("range of e", "range of speed(B)")
     (part,) = restitution.solve(restitution.parse(text)).parts.values()
     assert isinstance(part.items[0].error, MissingError)
 

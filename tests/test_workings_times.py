@@ -98,6 +98,18 @@ def test_on_one_line_nobody_is_said_to_be_met() -> None:
     assert "velocity × time, for A: position of A at the third impact = " in text
 
 
+def test_who_is_still_in_contact_collides_at_once() -> None:
+    text = printed(
+        "sphere A, B: mass 1, radius 1/2\n"
+        "sphere A: at (0, 0), velocity 2i\n"
+        "sphere B: at (3, 0), at rest\n"
+        "wall W: along j, through (7, 0)\n"
+        "A hits B: e = 0\nB hits W: e = 1\nA hits B: e = 0\n"
+        "find time(3)"
+    )
+    assert "A and B are still in contact, so they collide at once:" in text
+
+
 @pytest.mark.parametrize(
     ("one", "other", "place"),
     [("2i + j", "-2i + 3j", "(1, 2)"), ("u i", "u j", "(a, b)"), ("-u j", "2u j", "(0, 0)")],

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
+from typing import Literal
 
 import sympy as sp
 
@@ -166,7 +167,12 @@ def _nothing_first(
     """No other wall or sphere whose place is known is struck before."""
     radius = state.radius(name)
     left = state.latest(name, number - 1)
-    _no_sphere_first(state, name, partners, flight, number)
+    at_partner = [
+        event.bodies
+        for partner in partners
+        if partner != name and (event := state.latest(partner, number - 1)) is not None
+    ]
+    _no_sphere_first(state, name, partners, flight, number, at_wall=target is not None)
     for wall in state.walls.values():
         shape = wall.shape
         if wall is target or shape.point is None:
@@ -185,13 +191,17 @@ def _nothing_first(
                 side = -(state.sign(speed) or 1)
             gap = gap - side * radius * state.size(normal)
         reason = f"{name} strikes {wall.name} first"
+        # A sphere that is at the wall is struck there before the wall is.
+        relation: Literal[">", ">="] = (
+            ">=" if any(wall.name in bodies for bodies in at_partner) else ">"
+        )
         # It comes to the wall's line after ``ahead`` ÷ ``whole``.
         may_vanish = _may_vanish(state, speed)
         whole = state.rational(speed * speed) if may_vanish else 1
         ahead = state.rational(-gap * speed if may_vanish else -gap / speed)
         options = [
             Condition(-ahead, ">=", reason, "place"),
-            Condition(ahead - flight * whole, ">", reason, "place"),
+            Condition(ahead - flight * whole, relation, reason, "place"),
         ]
         if isinstance(shape, Segment):
             share = state.rational(((start - through) * whole + velocity * ahead).dot(along))
@@ -209,9 +219,18 @@ def _may_vanish(state: State, speed: Scalar) -> bool:
 
 
 def _no_sphere_first(
-    state: State, name: str, partners: tuple[str, ...], flight: Scalar, number: int
+    state: State,
+    name: str,
+    partners: tuple[str, ...],
+    flight: Scalar,
+    number: int,
+    *,
+    at_wall: bool,
 ) -> None:
-    """No sphere is struck before that moves uniformly from a known place."""
+    """No sphere is struck before that moves uniformly from a known place.
+
+    Nor is one struck in the instant of an impact ``at_wall`` that is nearer to the wall.
+    """
     own = state.place(name, number - 1)
     if own is None:
         return
@@ -230,16 +249,33 @@ def _no_sphere_first(
             for start, unless in _starts(state, own[1], known[1]):
                 gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
                 duration = own[1] + flight - start
-                _no_contact_within(state, name, other, gap, v - w, duration, unless)
+                _no_contact_within(
+                    state, name, other, gap, v - w, duration, unless, at_wall=at_wall
+                )
             continue
         state.needs_numbers = True
         start = later(state, own[1], known[1])
         gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
+        reason = f"{name} strikes {other} first"
+        order = _order(state, name, other, gap, v - w)
+        if order is not None and state.still(gap):
+            # They are still in contact, and one of them was struck.
+            state.conditions.append(Condition(order.dot(w - v), ">=", reason, "place"))
+            continue
         touch = _first_touch(state, state.radius(name), gap, v - w)
         if touch is not None:
             spare = start + touch - (own[1] + flight)
-            reason = f"{name} strikes {other} first"
-            state.conditions.append(Condition(spare, ">=", reason, "place"))
+            relation: Literal[">", ">="] = ">" if at_wall and order is not None else ">="
+            state.conditions.append(Condition(spare, relation, reason, "place"))
+
+
+def _order(state: State, name: str, other: str, gap: Vector, approach: Vector) -> Vector | None:
+    """From one point sphere to another on a line that they keep to, as they lay when they met."""
+    order = state.contact_lines.get((name, other))
+    if order is None or state.radius(name) is not None:
+        return None
+    across = (state.rational(order.cross(vector)) for vector in (gap, approach))
+    return order if all(map(state.field.is_zero, across)) else None
 
 
 def _first_touch(
@@ -255,7 +291,7 @@ def _first_touch(
     if side == -1 or (side == 0 and radius is not None):
         return None
     touch = (ga - (state.field.sqrt(under) if side == 1 else 0)) / ww
-    return touch if state.sign(touch) == 1 else None
+    return touch if state.sign(touch) != -1 else None
 
 
 def _starts(state: State, a: Scalar, b: Scalar) -> Iterator[tuple[Scalar, tuple[Condition, ...]]]:
@@ -282,6 +318,8 @@ def _no_contact_within(
     approach: Vector,
     duration: Scalar,
     unless: tuple[Condition, ...],
+    *,
+    at_wall: bool,
 ) -> None:
     """Two spheres, a gap apart at first, do not touch within a time, as conditions in letters.
 
@@ -296,15 +334,23 @@ def _no_contact_within(
     reason = f"{name} strikes {other} first"
     cross, end = gap.cross(approach), gap - approach * duration
     radius = state.radius(name)
-    ends = [Condition(end.dot(approach), ">=", reason, "place")]
     options = [*unless, Condition(-gap.dot(approach), ">=", reason, "place")]
-    if radius is None:
+    order = _order(state, name, other, gap, approach)
+    relation: Literal[">", ">="] = ">" if at_wall and order is not None else ">="
+    ends = [Condition(end.dot(approach), relation, reason, "place")]
+    if order is not None:
+        # Without a gap they are still in contact: then their order tells whether they approach.
+        options[-1:] = [
+            Condition(-gap.dot(approach), ">", reason, "place"),
+            Condition(-order.dot(approach), ">=", reason, "place"),
+        ]
+    elif radius is None:
         options.append(Condition(cross, "!=", reason, "place"))
     else:
         reach = 4 * radius * radius
         passing = cross * cross - reach * approach.dot(approach)
         options.append(Condition(passing, ">=", reason, "place"))
-        options.append(Condition(reach - gap.dot(gap), ">=", reason, "place"))
+        options.append(Condition(reach - gap.dot(gap), ">", reason, "place"))
         ends.append(Condition(end.dot(end) - reach, ">=", reason, "place"))
     options = [replace(option, value=state.rational(option.value)) for option in options]
     left_open: list[Condition] = []
@@ -500,7 +546,7 @@ def meeting(
     else:
         flight, c = _first_contact(state, gap, approach, r, step)
     flight = state.rational(flight)
-    _require_approach(state, flight, step)
+    _require_flight(state, flight, step)
     time = start + flight
     for name, known, v in ((step.first, one, v1), (step.second, other, v2)):
         where = known[0] + v * (time - known[1])
@@ -537,12 +583,16 @@ def _first_contact(
     return flight, state.neat(gap - approach * flight)
 
 
-def _require_approach(state: State, flight: Scalar, step: Impact) -> None:
-    """Spheres that separate do not meet; in contact, or at one place, they collide there."""
+def _require_flight(state: State, flight: Scalar, step: Impact) -> None:
+    """Spheres that separate do not meet; in contact, or at one place, they collide there.
+
+    Those that have met may still be in contact, as e was 0, when one of them is struck.
+    """
     separating = f"{step.first} and {step.second} are separating"
     if state.field.exact and flight.is_negative:
         raise ImpossibleError(separating)
-    together = state.field.is_zero(flight)
+    met = (step.first, step.second) in state.contact_lines
+    together = met or state.field.is_zero(flight)
     state.conditions.append(Condition(flight, ">=" if together else ">", separating, "time"))
 
 

@@ -37,6 +37,16 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import is_displacement, is_time
 
 
+def _at_once(naming: Naming, number: int) -> Sentence:
+    """That two spheres collide at once: at the start, or in contact since they met."""
+    bodies = naming.events[number].bodies
+    met = any(
+        event.number < number and set(event.bodies) == set(bodies)
+        for event in naming.events.values()
+    )
+    return say("flight.still-in-contact" if met else "flight.at-once", bodies=bodies)
+
+
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
     """The title of a line about the way of a body from one event to the next."""
     assert isinstance(line.relation, Relation)
@@ -44,7 +54,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     body = line.move.bodies[0]
     one = naming.movers == 1
     if is_time(left) and is_zero(line.relation.options[0][-1].right):
-        return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
+        return _at_once(naming, line.move.event or 0)
     if len(line.move.bodies) > 1:
         return say("flight.closing")
     if (several := _several_ways(derivation, naming, line, left)) is not None:

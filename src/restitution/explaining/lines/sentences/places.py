@@ -121,6 +121,7 @@ SENTENCES: Mapping[str, str] = {
     "flight.speed-along-wall": "speed parallel to {wall}",
     "flight.speed-there": "speed in that direction",
     "flight.at-once": "{bodies:and} start at the same point, so they collide at once",
+    "flight.still-in-contact": "{bodies:and} are still in contact, so they collide at once",
     "flight.rest": "{body} is at rest, so it stays where it is",
     "flight.rest-beside": "{body} is at rest, so it stays where it touched {other}",
     "flight.origin-taken": (
