@@ -25,7 +25,7 @@ from restitution.problem import (
 )
 from restitution.shapes import Circle, Segment
 from restitution.solving.equations.extents import within_a_half_turn
-from restitution.solving.story import missing, places
+from restitution.solving.story import missing, obstacles
 from restitution.solving.story.conditions import AnyOf, Condition, Equation
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening
@@ -390,7 +390,7 @@ def _met_by_places(
     v, w = story.velocity(one, now), story.velocity(other, now)
     # At the same time, whichever it is: they are as if they had always moved so.
     gap = (second[0] - w * second[1]) - (first[0] - v * first[1])
-    later = places.later(story, first[1], second[1])
+    later = obstacles.later(story, first[1], second[1])
     gap, approach = gap + (w - v) * later, v - w
     radius = story.radius(one)
     closing = story.rational(gap.dot(approach))

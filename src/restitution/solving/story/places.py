@@ -8,15 +8,12 @@ happen as told (in order, on the wall, nothing struck before) becomes a conditio
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import pairwise
-from typing import Literal
 
 import sympy as sp
 
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
-from restitution.exact.symbols import symbols_in
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, has_quantity, line_and_column
 from restitution.problem import Arrival, Compare, Given, Impact, Wall
@@ -25,7 +22,8 @@ from restitution.render.text import to_text
 from restitution.shapes import Circle, Segment
 from restitution.solving.algebra.neat import neat
 from restitution.solving.story import contacts
-from restitution.solving.story.conditions import AnyOf, Condition, Equation
+from restitution.solving.story.conditions import Condition, Equation
+from restitution.solving.story.obstacles import later, nothing_first, sides_of_wall
 from restitution.solving.story.state import State
 from restitution.solving.story.unknowns import Letters
 from restitution.vector import Vector
@@ -62,6 +60,10 @@ def time_to_point(state: State, number: int, name: str, point: Vector, step: Arr
             step.place,
         )
         _flight(state, name, flight, number, f"{name} moves away from {there}")
+        if state.field.exact and contacts.rests_on((*known[0], *velocity), ()):
+            state.needs_numbers = True  # it is told again with what is found
+        else:
+            nothing_first(state, name, None, known[0], velocity, flight, number)
         time = known[1] + flight
     state.tracks[name].places.append((number, point, time))
     return time
@@ -107,9 +109,7 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
     if state.field.is_zero(speed):
         raise ImpossibleError(f"{name} moves parallel to {wall.name} and does not reach it")
     if radius is not None:
-        side = state.sign(gap)
-        if side in (None, 0):
-            side = -(state.sign(speed) or 1)
+        side = _side_of_wall(state, number, name, wall, gap, speed)
         gap = gap - side * radius * state.size(normal)
     flight = state.rational(-gap / speed)
     _flight(state, name, flight, number, f"{name} moves away from {wall.name}")
@@ -125,7 +125,7 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
         state.conditions += [
             Condition(share, ">", reason, "place", end_of=wall.name) for share in shares
         ]
-    _nothing_first(state, name, wall, known[0], velocity, flight, number)
+    nothing_first(state, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
     state.tracks[name].places.append((number, where, time))
     return time
@@ -154,224 +154,21 @@ def _is_at(state: State, number: int, name: str, wall: Wall) -> bool:
     )
 
 
-def _nothing_first(
-    state: State,
-    name: str,
-    target: Wall | None,
-    start: Vector,
-    velocity: Vector,
-    flight: Scalar,
-    number: int,
-    partners: tuple[str, ...] = (),
-) -> None:
-    """No other wall or sphere whose place is known is struck before."""
-    radius = state.radius(name)
-    left = state.latest(name, number - 1)
-    at_partner = [
-        event.bodies
-        for partner in partners
-        if partner != name and (event := state.latest(partner, number - 1)) is not None
-    ]
-    _no_sphere_first(state, name, partners, flight, number, at_wall=target is not None)
-    for wall in state.walls.values():
-        shape = wall.shape
-        if wall is target or shape.point is None:
-            continue
-        if left is not None and wall.name in left.bodies:
-            continue  # it has just left that wall
-        through = state.read_vector(shape.point, "")
-        along = state.wall_direction(Name(wall.name))
-        normal = along.turned_left()
-        gap, speed = normal.dot(start - through), normal.dot(velocity)
-        if state.field.is_zero(speed):
-            continue
-        if radius is not None:
-            side = state.sign(gap)
-            if side in (None, 0):
-                side = -(state.sign(speed) or 1)
-            gap = gap - side * radius * state.size(normal)
-        reason = f"{name} strikes {wall.name} first"
-        # A sphere that is at the wall is struck there before the wall is.
-        relation: Literal[">", ">="] = (
-            ">=" if any(wall.name in bodies for bodies in at_partner) else ">"
-        )
-        # It comes to the wall's line after ``ahead`` ÷ ``whole``.
-        may_vanish = _may_vanish(state, speed)
-        whole = state.rational(speed * speed) if may_vanish else 1
-        ahead = state.rational(-gap * speed if may_vanish else -gap / speed)
-        options = [
-            Condition(-ahead, ">=", reason, "place"),
-            Condition(ahead - flight * whole, relation, reason, "place"),
-        ]
-        if isinstance(shape, Segment):
-            share = state.rational(((start - through) * whole + velocity * ahead).dot(along))
-            options.append(Condition(-share, ">=", reason, "place"))
-            options.append(Condition(share - along.dot(along) * whole, ">=", reason, "place"))
-        state.conditions.append(AnyOf(tuple(options), reason))
-
-
-def _may_vanish(state: State, speed: Scalar) -> bool:
-    """Whether letters let a sphere move parallel to a wall, or stay: nothing divides by it then."""
-    unknowns = state.unknowns
-    return isinstance(unknowns, Letters) and not unknowns.proved_sign(
-        sp.sympify(speed, strict=True)
-    )
-
-
-def _no_sphere_first(
-    state: State,
-    name: str,
-    partners: tuple[str, ...],
-    flight: Scalar,
-    number: int,
-    *,
-    at_wall: bool,
-) -> None:
-    """No sphere is struck before that moves uniformly from a known place.
-
-    Nor is one struck in the instant of an impact ``at_wall`` that is nearer to the wall.
-    """
-    own = state.place(name, number - 1)
-    if own is None:
-        return
-    left = state.latest(name, number - 1)
-    for other, track in state.tracks.items():
-        known = state.place(other, number - 1)
-        if other == name or other in partners or known is None:
-            continue
-        latest = state.latest(other, number - 1)
-        if left is not None and left is latest:
-            continue  # they have just left each other
-        if track.places[-1][0] != (0 if latest is None else latest.number):
-            continue  # nobody knows where it has been since
-        v, w = state.velocity(name, number - 1), state.velocity(other, number - 1)
-        if state.field.exact:
-            for start, unless in _starts(state, own[1], known[1]):
-                gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
-                duration = own[1] + flight - start
-                _no_contact_within(
-                    state, name, other, gap, v - w, duration, unless, at_wall=at_wall
-                )
-            continue
-        state.needs_numbers = True
-        start = later(state, own[1], known[1])
-        gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
-        reason = f"{name} strikes {other} first"
-        order = _order(state, name, other, gap, v - w)
-        if order is not None and state.still(gap):
-            # They are still in contact, and one of them was struck.
-            state.conditions.append(Condition(order.dot(w - v), ">=", reason, "place"))
-            continue
-        touch = _first_touch(state, state.radius(name), gap, v - w)
-        if touch is not None:
-            spare = start + touch - (own[1] + flight)
-            relation: Literal[">", ">="] = ">" if at_wall and order is not None else ">="
-            state.conditions.append(Condition(spare, relation, reason, "place"))
-
-
-def _order(state: State, name: str, other: str, gap: Vector, approach: Vector) -> Vector | None:
-    """From one point sphere to another on a line that they keep to, as they lay when they met."""
-    order = state.contact_lines.get((name, other))
-    if order is None or state.radius(name) is not None:
-        return None
-    across = (state.rational(order.cross(vector)) for vector in (gap, approach))
-    return order if all(map(state.field.is_zero, across)) else None
-
-
-def _first_touch(
-    state: State, radius: Scalar | None, gap: Vector, approach: Vector
-) -> Scalar | None:
-    """After how long two spheres are first in contact, in numbers; None where they pass by."""
-    reach = 0 if radius is None else 2 * radius
-    ga, ww = gap.dot(approach), approach.dot(approach)
-    if state.sign(ga) != 1:
-        return None
-    under = ga * ga - ww * (gap.dot(gap) - reach * reach)
-    side = state.sign(under)
-    if side == -1 or (side == 0 and radius is not None):
-        return None
-    touch = (ga - (state.field.sqrt(under) if side == 1 else 0)) / ww
-    return touch if state.sign(touch) != -1 else None
-
-
-def _starts(state: State, a: Scalar, b: Scalar) -> Iterator[tuple[Scalar, tuple[Condition, ...]]]:
-    """The later of two times in letters, each with the condition that it is not the later one."""
-    sign = _proved_sign(state, a - b)
-    if sign is None or sign >= 0:
-        yield a, () if sign is not None else (Condition(b - a, ">", "", "place"),)
-    if sign is None or sign < 0:
-        yield b, () if sign is not None else (Condition(a - b, ">=", "", "place"),)
-
-
-def _proved_sign(state: State, x: Scalar) -> int | None:
-    unknowns = state.unknowns
-    if not isinstance(unknowns, Letters):
-        return state.sign(x)
-    return unknowns.proved_sign(sp.sympify(x, strict=True), state.conditions)
-
-
-def _no_contact_within(
-    state: State,
-    name: str,
-    other: str,
-    gap: Vector,
-    approach: Vector,
-    duration: Scalar,
-    unless: tuple[Condition, ...],
-    *,
-    at_wall: bool,
-) -> None:
-    """Two spheres, a gap apart at first, do not touch within a time, as conditions in letters.
-
-    They do not where they separate or pass by, and where at the end they still approach and are
-    two radii apart.
-    """
-    values = (*gap, *approach, duration)
-    if not any(symbols_in(sp.sympify(x, strict=True)) for x in values):
-        return  # a telling in numbers sees it
-    if contacts.rests_on(values, ()):
-        return  # it is told again with what is found
-    reason = f"{name} strikes {other} first"
-    cross, end = gap.cross(approach), gap - approach * duration
-    radius = state.radius(name)
-    options = [*unless, Condition(-gap.dot(approach), ">=", reason, "place")]
-    order = _order(state, name, other, gap, approach)
-    relation: Literal[">", ">="] = ">" if at_wall and order is not None else ">="
-    ends = [Condition(end.dot(approach), relation, reason, "place")]
-    if order is not None:
-        # Without a gap they are still in contact: then their order tells whether they approach.
-        options[-1:] = [
-            Condition(-gap.dot(approach), ">", reason, "place"),
-            Condition(-order.dot(approach), ">=", reason, "place"),
-        ]
-    elif radius is None:
-        options.append(Condition(cross, "!=", reason, "place"))
-    else:
-        reach = 4 * radius * radius
-        passing = cross * cross - reach * approach.dot(approach)
-        options.append(Condition(passing, ">=", reason, "place"))
-        options.append(Condition(reach - gap.dot(gap), ">", reason, "place"))
-        ends.append(Condition(end.dot(end) - reach, ">=", reason, "place"))
-    options = [replace(option, value=state.rational(option.value)) for option in options]
-    left_open: list[Condition] = []
-    for option in options:
-        holds = _is_met(state, option)
-        if holds:
-            return
-        if holds is None:
-            left_open.append(option)
-    for at_end in ends:
-        at_end = replace(at_end, value=state.rational(at_end.value))
-        if not _is_met(state, at_end):
-            state.conditions.append(AnyOf((*left_open, at_end), reason) if left_open else at_end)
-
-
-def _is_met(state: State, condition: Condition) -> bool | None:
-    """Whether a condition holds for all letters, or for none; None where it depends on them."""
-    sign = _proved_sign(state, condition.value)
-    if sign is None:
-        return None
-    return {">": sign > 0, ">=": sign >= 0, "!=": sign != 0}[condition.relation]
+def _side_of_wall(
+    state: State, number: int, name: str, wall: Wall, gap: Scalar, speed: Scalar
+) -> Scalar:
+    """The side from which a sphere strikes a wall; where it is open, an unknown that is 1 or −1."""
+    known = sides_of_wall(state, gap, speed)
+    key, reason = f"s_{number}", f"{name} moves away from {wall.name}"
+    if len(known) == 1:
+        chosen = None if state.field.exact else getattr(state.unknowns, "values", {}).get(f"_{key}")
+        if chosen is not None:
+            state.conditions.append(Condition(chosen * known[0][0], ">", reason, "time"))
+        return known[0][0]
+    side = state.unknowns.hidden(key, f"the side of {wall.name} on which {name} is", "real")
+    state.equations.append(Equation(side * side - 1, reason))
+    state.conditions.append(Condition(-side * speed, ">", reason, "time"))
+    return side
 
 
 def _time_to_circle(
@@ -427,7 +224,7 @@ def _time_to_circle(
         where = known[0] + velocity * flight
     if state.field.exact:
         where = state.neat(where)
-    _nothing_first(state, name, wall, known[0], velocity, flight, number)
+    nothing_first(state, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
     state.tracks[name].places.append((number, where, time))
     return time
@@ -553,7 +350,7 @@ def meeting(
         if at_contact is not None:
             where = at_contact[name == step.second]
         partners = (step.first, step.second)
-        _nothing_first(state, name, None, known[0], v, time - known[1], number, partners)
+        nothing_first(state, name, None, known[0], v, time - known[1], number, partners)
         state.tracks[name].places.append((number, state.neat(where), time))
     return time, c
 
@@ -614,12 +411,6 @@ def _side(state: State, number: int, step: Impact, towards: Scalar) -> Scalar:
         state.needs_numbers = True
         state.conditions.append(Condition(chosen * towards, ">", reason, "time"))
     return sign or 1
-
-
-def later(state: State, a: Scalar, b: Scalar) -> Scalar:
-    """The later of two times; the first where the letters decide."""
-    sign = state.sign(a - b)
-    return a if sign is None or sign >= 0 else b
 
 
 def _meeting_half_known(
