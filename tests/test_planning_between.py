@@ -47,6 +47,16 @@ CASES: dict[str, tuple[str, tuple[str, ...]]] = {
         + "B hits W\nfind total_energy_lost",
         ("= mu²(3 + 2e − 2e² − 2e³ − e⁴)/8 = mu²(1 − e²)(3 + 2e + e²)/8",),
     ),
+    "both squares over one line, before a speed squared that is shown": (
+        SPHERES.format(a="m", b="m", u="u at alpha", w="at rest", e=", e = 1/2")
+        + "show speed(A)^2 = u^2 (1 + 15 sin^2(alpha))/16",
+        ("= u²(cos²α + 16 sin²α)/16 = u²(1 + 15 sin²α)/16",),
+    ),
+    "a quadratic, before the range of its letter": (
+        SPHERES.format(a="m", b="k m", u="u at alpha", w="at rest", e=", e = 1/2")
+        + "given energy(B) = 9/32 energy(0)\nunknown alpha\nfind range of k",
+        ("(1 + k)²/(8k) < 1, as α is acute k² − 6k + 1 < 0, as k > 0 3 − 2√2 < k < 3 + 2√2",),
+    ),
     "squares of numbers with roots": (
         SPHERES.format(
             a="sqrt(3)",
@@ -154,9 +164,9 @@ wall W: along j
 sphere P: velocity u at alpha to W
 P hits W
 let beta = angle(velocity(P), W)
-show energy(P)/energy(P, 0) = cos^2(alpha)/cos^2(beta)
+show energy(P)/energy(P, 0) = (1 + tan^2(beta)) cos^2(alpha)
 """,
-        ("= cos²α + e² sin²α", "= (cos²α)(1 + tan²β)"),
+        ("= cos²α + e² sin²α", "= (1 + tan²β) cos²α"),
     ),
     "a mass that cancels, and terms that stand on both sides": (
         """

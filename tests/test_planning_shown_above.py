@@ -40,12 +40,15 @@ def test_numbers_are_put_into_results_of_spheres() -> None:
         "part b\nshow e = 2 - 3 tan(theta)/tan(phi)\n"
         "part c\ngiven tan(theta) = 1/2, phi = 45°\nfind e, speed(A)\n"
         "part d\ngiven theta = 30°, speed(A) = u/sqrt(2)\nfind phi\n"
+        "part e\ngiven sin(theta) = 5/13, tan(phi) = 3/4\nfind speed(A)\n"
     )
     assert "e = 2 − (3 × ½)/tan 45° = ½" in parts["c"]
     assert "speed of A = u(√5/5)/sin 45° = √10 u/5" in parts["c"]
     assert "momentum" not in parts["c"]
     assert "√2 u/2 = (u sin 30°)/sin φ" in parts["d"]
     assert "φ = 45°" in parts["d"]
+    assert "Since tan φ = ¾: sin φ = ⅗" in parts["e"]
+    assert "= 25u/39" in parts["e"]
 
 
 def test_an_angle_is_told_by_a_result_and_tells_the_coefficient() -> None:

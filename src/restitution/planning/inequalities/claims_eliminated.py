@@ -31,7 +31,7 @@ from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
 from restitution.planning.inequalities.letters_between import write_beyond_a_coefficient
-from restitution.planning.inequalities.standard_conditions import in_factors
+from restitution.planning.inequalities.standard_conditions import as_quadratic, in_factors
 from restitution.planning.inequalities.turned_at_walls import tangent_of
 from restitution.planning.routes.order import Standing
 from restitution.planning.writing.desk import NotPlannedError
@@ -228,6 +228,8 @@ class Eliminated(InStages):
                     number_ = self._solved(number_, solved, known)
                 if same(scene.desk.relation(number_), relation):
                     return number_
+                if solved is None and len(x.free_symbols) == 1:
+                    number_ = as_quadratic(self.worths, number_, sign, x, wanted, known)
                 if not base:
                     line_ = self.compared([number_], relation)
                     if line_ is not None:

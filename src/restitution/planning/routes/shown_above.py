@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from contextlib import suppress
 
 import sympy as sp
@@ -44,6 +45,7 @@ from restitution.records import dataclass
 
 # What stands for the ratio of an angle while the value of that is worked out.
 _RATIO = Letter("ratio of the angle")
+_RATIOS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}
 _INVERSES = {"sin": sp.asin, "cos": sp.acos, "tan": sp.atan}
 
 
@@ -352,9 +354,9 @@ def _values(scene: Scene, name: str, tree: Expression) -> Iterator[Put]:
                 yield Put(letter, by, (given.fact.id, *refs))
                 return
             case Link(Apply() as ratio, "=", right) if ratio.argument == quantity:
-                own = Apply(ratio.function, letter)
-                if ratios == {own} and not letters(right) and not has_quantity(right):
-                    yield Put(own, right, (given.fact.id,))
+                if not letters(right) and not has_quantity(right):
+                    own_ratio = Link(Apply(ratio.function, letter), "=", right)
+                    yield from _by_a_given_ratio(scene, own_ratio, given.fact.id, ratios)
                 return
     symbol = scene.model.unknowns.letter(name)
     known = scene.desk.known(letter if quantity is None else quantity)
@@ -366,6 +368,26 @@ def _values(scene: Scene, name: str, tree: Expression) -> Iterator[Put]:
     worth = tree_of(value, angle=angle)
     if not letters(worth) and (isinstance(worth, Degrees) or not angle):
         yield Put(letter, worth, refs or known.refs)
+
+
+def _by_a_given_ratio(
+    scene: Scene, own: Link, fact: Ref, ratios: AbstractSet[Apply]
+) -> Iterator[Put]:
+    """The ratios of an acute angle of which one is given in numbers."""
+    assert isinstance(own.left, Apply)
+    letter = own.left.argument
+    assert isinstance(letter, Letter)
+    worth = scene.scalar(own.right)
+    angle = _INVERSES[own.left.function](worth)
+    for ratio in sorted(ratios, key=str):
+        if ratio == own.left:
+            yield Put(ratio, own.right, (fact,))
+            continue
+        value = tree_of(tidy(_RATIOS[ratio.function](angle)))
+        pool = (fact, f"let {letter.name}", f"0° <= {letter.name} <= 90°")
+        line = scene.judge.write((Move("triangle"),), pool, chain(ratio, (value, None)))
+        if line is not None:
+            yield Put(ratio, value, (line,))
 
 
 __all__ = ["write_by_a_shown_result"]

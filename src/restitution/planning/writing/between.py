@@ -95,16 +95,17 @@ def _keeps_squares(scene: Scene, right: Expression, final: Expression) -> bool:
     return bool(own) and all(value in kept or expanded(-value) in kept for value in own)
 
 
-def _of_both_squares(scene: Scene, root: Expression, final: Expression) -> Expression | None:
+def _of_both_squares(scene: Scene, right: Expression, final: Expression) -> Expression | None:
     """u√(64 cos²α + 9 sin²α)/24 for √((⅛u sin α)² + (⅓u cos α)²), before sin² + cos² = 1 is used.
 
-    None where there is nothing to take out, or a root of it.
+    So of the sum of both squares itself. None where there is nothing to take out, or a root of it.
     """
-    match root:
-        case Apply("sqrt", Binary("+", Binary("^"), Binary("^")) as inside) if not (
+    inside = right.argument if is_function(right, "sqrt") else right
+    match inside:
+        case Binary("+", Binary("^") as one_square, Binary("^") as other_square) if not (
             has_quantity(inside) or len(_ratios(inside)) <= len(_ratios(final))
         ):
-            terms = [scene.scalar(inside.left), scene.scalar(inside.right)]
+            terms = [scene.scalar(one_square), scene.scalar(other_square)]
         case _:
             return None
     (one, first), (other, second) = (
@@ -116,8 +117,9 @@ def _of_both_squares(scene: Scene, root: Expression, final: Expression) -> Expre
     outside = sp.sqrt(cancelled(one / ratio.p))
     if outside == 1 or not all(power.exp.is_Integer for power in outside.atoms(sp.Pow)):
         return None
-    both = sp.sqrt(ratio.p * first + ratio.q * second)
-    return tree_of(outside * both, as_it_is=True)
+    both = ratio.p * first + ratio.q * second
+    value = outside**2 * both if inside is right else outside * sp.sqrt(both)
+    return tree_of(value, as_it_is=True)
 
 
 def _ratios(tree: Expression) -> set[Expression]:
