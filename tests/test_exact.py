@@ -106,6 +106,7 @@ TEXTBOOK = [
     # tangents and compound angles
     (Z * C / (1 + Z**2), "tan(alpha)/(2*tan(alpha)**2 + 1)"),
     ((a * T + b) / T, "a + b/tan(alpha)"),
+    ((1 - T**4) * C**2 / 2, "(1 - tan(alpha)**2)/2"),
     (Z * cos(beta) - C * sin(beta), "sin(alpha - beta)"),
     (
         (C * sin(beta) + e * Z * cos(beta)) / sympy.Abs(e * Z * sin(beta) - C * cos(beta)),

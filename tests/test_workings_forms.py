@@ -6,8 +6,12 @@ import re
 
 import pytest
 
+from restitution.explaining.following.follower import follow
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 
@@ -568,3 +572,16 @@ def test_an_impulse_that_is_given_is_the_decrease_of_a_momentum() -> None:
     assert f"{lead} 15 = 3(5 − v) M1 A1" in working(text.format("5i", "-2i"))
     lead = "Impulse = change of momentum of A along the line of centres:"
     assert f"{lead} 15 = 3(v + 5) M1 A1" in working(text.format("-5i", "2i"))
+
+
+def test_a_component_with_a_tangent_put_in_stands_as_it_is_before_an_identity() -> None:
+    problem = parse(
+        "sphere A, B: mass 2m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        "A hits B: along i\ngiven speed(A) = speed(B)\npart a\nshow e = tan^2(alpha)\n"
+        "part b\nfind energy_lost/energy(0) in terms of alpha"
+    )
+    solution = solve(problem)
+    assert follow(plan(solution), Oracle(roles(problem))) == ()
+    shown = " ".join(to_text(explain(solution), 80).split())
+    assert "w = ½u(1 + tan²α) cos α = u/(2 cos α), as sin²α + cos²α = 1" in shown
+    assert "= (1 − tan²α)/2" in shown

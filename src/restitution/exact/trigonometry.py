@@ -235,5 +235,10 @@ def _in_tangent(form: tuple[Expr, Expr], angle: MaskedAngle) -> list[Expr]:
         degrees.append(totals.pop())
     above, below = (value.xreplace({s: t, c: S.One}) for value in form)
     more = degrees[0] - degrees[1]
+    while more > 1:
+        rest, left_over = sympy.div(above, 1 + t**2, t)
+        if left_over != 0:
+            break
+        above, more = rest, more - 2  # (1 + tan²α) cos²α = 1
     whole = above / below * c**more
     return [whole, whole * s / (c * t)] if more > 0 else [whole]

@@ -52,8 +52,13 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     link = scene.desk.last_link(line)
     if link.left != tree and (link.right != tree or value.free_symbols):
         return known
-    move = Move("put")
-    line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
+    move, relation = Move("put"), chain(tree, (tree_of(value), None))
+    if not scene.judge.follows(move, (line, *refs), relation):
+        # What an identity makes shorter stands as it is first: ½(1 + tan²α)u cos α.
+        put = known.value.xreplace({e: scene.put(e)[0] for e in known.value.free_symbols})
+        longer = (tree_of(put, as_it_is=True), None)
+        relation = chain(tree, longer, (tree_of(value), "identity"))
+    line = scene.desk.write(move, (line, *refs), relation)
     return scene.desk.know(tree, value, (line,))
 
 
