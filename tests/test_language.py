@@ -544,6 +544,7 @@ SLIPS = {
     "find max of e over u": (6, "did you mean 'maximum of'?"),
     "find e as percentage": (8, "did you mean 'as a percentage'?"),
     "find e in term of u": (8, "did you mean 'in terms of'?"),
+    "find e in terms of u, tan^2(theta)": (23, "is asked in terms of the letter in it: 'theta'"),
     "find e.": (7, "leave out '.'"),
     # relations
     "given e == 1": (9, "did you mean '='?"),

@@ -539,6 +539,14 @@ ASKED: tuple[Slip, ...] = (
     ),
     (
         "find show",
+        (
+            r"\bin\s+terms\s+of\b.*?(?P<x>\b(?:sin|cos|tan)(?:\s*(?:\^\s*2|²))?"
+            r"\s*(?:\(\s*(?P<v>[a-zα-ω]\w*)\s*\)|(?<=\s)(?P<w>[a-zα-ω]\w*)))"
+        ),
+        Cure("an answer in terms of {x} is asked in terms of the letter in it: '{v}{w}'", "{v}{w}"),
+    ),
+    (
+        "find show",
         r"(?P<x>\bin\s+(?:the\s+)?(?:terms?\b(?!\s+of\b)|term\s+of)|\binterms\s+of)",
         meant("in terms of"),
     ),
