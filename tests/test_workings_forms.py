@@ -585,3 +585,14 @@ def test_a_component_with_a_tangent_put_in_stands_as_it_is_before_an_identity() 
     shown = " ".join(to_text(explain(solution), 80).split())
     assert "w = ½u(1 + tan²α) cos α = u/(2 cos α), as sin²α + cos²α = 1" in shown
     assert "= (1 − tan²α)/2" in shown
+
+
+def test_ratios_that_only_show_an_angle_acute_are_not_worked_out() -> None:
+    shown = working(
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        "A hits B: along i\nlet beta = angle(velocity(A), line_of_centres)\npart a\n"
+        "show tan(beta) = 2 tan(alpha)/(1 - e)\npart b\n"
+        "given tan(alpha) = 1/3, deflection(A) = 45°\nfind e"
+    )
+    assert "tan β = (⅓ + 1)/(1 − ⅓) = 2" in shown
+    assert "√10" not in shown

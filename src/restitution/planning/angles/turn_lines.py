@@ -175,7 +175,7 @@ def _before_put(scene: Scene, turn: Turn) -> tuple[Ref, ...]:
     for ref in (*turn.first.refs, *turn.second.refs):
         if isinstance(ref, int) and scene.desk.line(ref).move.id == "put":
             refs += scene.desk.line(ref).premises
-    for ref in refs:
+    for ref in (*turn.first.refs, *turn.second.refs, *refs):
         own = scene.desk.line(ref).relation if isinstance(ref, int) else None
         if isinstance(own, Relation) and len(own.options) == 1:
             names |= letters(own.only[-1].right)
@@ -348,9 +348,9 @@ def premises_of(
     """What the line of an angle made of two others rests on; None where it does not follow.
 
     A component with values put in, which nothing else needs, is cited as it stood before, unless it
-    comes to 0.
+    comes to 0; if it can be, without the ratios of an angle that were put in.
     """
-    sure = tuple(sure)
+    pool, sure = tuple(pool), tuple(sure)
     premises = scene.judge.needed(turn.move, pool, relation, sure)
     if premises is not None and not set(premises).isdisjoint(meeting(scene)):
         # Beside a root in a component that is left out it was needed; by itself it may not be.
@@ -364,8 +364,15 @@ def premises_of(
     }
     if premises is None or not idle:
         return premises
-    earlier = (*(ref for ref in premises if ref not in idle), *_before_put(scene, turn))
-    return scene.judge.needed(turn.move, earlier, relation, sure) or premises
+    before = _before_put(scene, turn)
+    earlier = (*(ref for ref in premises if ref not in idle), *before)
+    plain = [
+        ref
+        for ref in dict.fromkeys((*pool, *before))
+        if not isinstance(ref, int) or scene.desk.line(ref).move.id not in ("put", "triangle")
+    ]
+    without = scene.judge.needed(turn.move, plain, relation, sure)
+    return without or scene.judge.needed(turn.move, earlier, relation, sure) or premises
 
 
 def meeting(scene: Scene) -> tuple[Ref, ...]:
