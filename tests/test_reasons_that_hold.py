@@ -208,7 +208,7 @@ SAYS = {
             "given deflection(B) = theta\nfind e in terms of u, V, theta\n"
             "show 2u/(3V) <= tan(theta)"
         ),
-        "tan θ ≥ 2u/(3V)",
+        "2u/(3V) ≤ tan θ, as e ≥ 0 (as required)",
         "V ≥",
     ),
 }
