@@ -17,6 +17,7 @@ from restitution.oracle.formula import (
     joined,
     letters_of,
     negation,
+    put_in,
     relations,
 )
 from restitution.oracle.oracle import (
@@ -26,7 +27,7 @@ from restitution.oracle.oracle import (
     Verdict,
     broken_off,
 )
-from restitution.oracle.points import BeyondError, Point, Program
+from restitution.oracle.points import BeyondError, Point, Program, as_number
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.testers import holds_at, holds_with
 
@@ -46,6 +47,7 @@ __all__ = [
     "Role",
     "Some",
     "Verdict",
+    "as_number",
     "broken_off",
     "compared",
     "holds_at",
@@ -53,5 +55,6 @@ __all__ = [
     "joined",
     "letters_of",
     "negation",
+    "put_in",
     "relations",
 ]

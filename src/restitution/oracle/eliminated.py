@@ -13,7 +13,7 @@ from typing import Literal
 
 import sympy as sp
 
-from restitution.oracle.formula import All, Formula, Relation, Some, letters_of, relations
+from restitution.oracle.formula import All, Formula, Relation, letters_of, put_in, relations
 from restitution.oracle.points import BeyondError
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.scaled import scaled_sign
@@ -43,8 +43,8 @@ def hold_together(
         equation, symbol, value = solved
         left.remove(equation)
         bounds += _bounds(symbol, roles.get(symbol.name, REAL))
-        left = [_put(formula, {symbol: value}) for formula in left]
-        bounds = [_put(formula, {symbol: value}) for formula in bounds]
+        left = [put_in(formula, {symbol: value}) for formula in left]
+        bounds = [put_in(formula, {symbol: value}) for formula in bounds]
     try:
         truths = [_holds(formula, roles) for formula in _without_loose([*left, *bounds], roles)]
     except BeyondError:
@@ -150,18 +150,6 @@ def _bounds(symbol: sp.Symbol, role: Role) -> list[Formula]:
         for end, sense, closed in ends
         if end is not None
     ]
-
-
-def _put(formula: Formula, values: Mapping[sp.Symbol, sp.Expr]) -> Formula:
-    """A formula with values put in."""
-    match formula:
-        case Relation(value, operator):
-            put = value.xreplace(values)
-            return formula if put == value else Relation(sp.factor_terms(put), operator)
-        case All(parts):
-            return All(tuple(_put(part, values) for part in parts))
-        case Some(parts):
-            return Some(tuple(_put(part, values) for part in parts))
 
 
 def _holds(formula: Formula, roles: Mapping[str, Role]) -> bool | None:

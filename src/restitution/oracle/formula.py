@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
 import sympy as sp
@@ -84,6 +84,18 @@ def relations(formula: Formula) -> Iterator[Relation]:
     else:
         for part in formula.parts:
             yield from relations(part)
+
+
+def put_in(formula: Formula, values: Mapping[sp.Symbol, sp.Expr]) -> Formula:
+    """A formula with values put in."""
+    match formula:
+        case Relation(value, operator):
+            put = value.xreplace(values)
+            return formula if put == value else Relation(sp.factor_terms(put), operator)
+        case All(parts):
+            return All(tuple(put_in(part, values) for part in parts))
+        case Some(parts):
+            return Some(tuple(put_in(part, values) for part in parts))
 
 
 def letters_of(formula: Formula) -> frozenset[str]:

@@ -30,6 +30,7 @@ from restitution.oracle.points import (
     Point,
     Program,
     Value,
+    as_number,
 )
 from restitution.oracle.polynomials import Polynomials, TooLargeError
 from restitution.oracle.roles import REAL, Role
@@ -525,7 +526,7 @@ def _allowed(value: Value, role: Role) -> bool:
         for end, sense, closed in ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1]))
         if end is not None
     ]
-    number = value if isinstance(value, sp.Expr) else sp.Rational(Fraction(value))
+    number = as_number(value)
     signs = Program.of([sense * (number - end) for end, sense, _ in ends]).signs({})
     return all(
         sign is not None and (sign > 0 or (closed and sign == 0))

@@ -59,6 +59,11 @@ DIGITS = (60, 240)
 _SEARCHED = 300
 
 
+def as_number(value: Value) -> sp.Expr:
+    """The value of a letter at a point as a SymPy number."""
+    return value if isinstance(value, sp.Expr) else sp.Rational(Fraction(value))
+
+
 class BeyondError(Exception):
     """A value cannot be had in this arithmetic: it is undefined, or too wide to tell."""
 

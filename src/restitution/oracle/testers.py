@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -22,6 +21,7 @@ from restitution.oracle.points import (
     BeyondError,
     Point,
     Program,
+    as_number,
 )
 from restitution.oracle.polynomials import Polynomials, TooLargeError
 
@@ -93,7 +93,7 @@ def tester_of(formula: Formula) -> Tester:
 def _vanishes_at(x: sp.Expr, point: Point) -> bool:
     """Whether an expression is seen by algebra to be zero at a point: cos 150° + √3/2."""
     numbers = {
-        symbol: value if isinstance(value, sp.Expr) else sp.Rational(Fraction(value))
+        symbol: as_number(value)
         for symbol in x.free_symbols
         if (value := point.get(symbol.name)) is not None
     }

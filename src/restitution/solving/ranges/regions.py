@@ -12,7 +12,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, product
 from types import MappingProxyType
 
 import sympy as sp
@@ -29,8 +29,10 @@ from restitution.oracle import (
     Relation,
     Some,
     Verdict,
+    as_number,
     joined,
     letters_of,
+    put_in,
     relations,
 )
 from restitution.oracle.roles import Role
@@ -74,6 +76,10 @@ OTHERS_TRIED = 16
 ROUNDS = 4
 
 
+MOST_AT_ENDS = 2
+"""Of more free letters no choice at the ends of all of them is tried."""
+
+
 # Far above rounding, and as nothing beside what is known with so many digits.
 ASIDE = Fraction(1, 10**196)
 
@@ -115,6 +121,7 @@ class Region:
         matter = symbol_names(*self._kept_atoms)
         self.free = tuple(name for name in self.free if name in matter)
         self.critical = self._critical()
+        self._chosen: list[dict[sp.Expr, sp.Expr]] = []  # what free letters are at ends
 
     # --- where truth can change --------------------------------------------------------------
 
@@ -243,6 +250,20 @@ class Region:
                     if own is not None:
                         reached += [x for x in essential_factors(own) if x not in reached]
         return reached[len(atoms) :]
+
+    def _at_closed_ends(self) -> Iterator[dict[sp.Expr, sp.Expr]]:
+        """The free letters at ends that they have: one choice may serve for all values."""
+        names = {name: self.roles[name] for name in self.free}
+        ends = [
+            [
+                (role.symbol(name), end)
+                for end, closed in zip((role.low, role.high), role.closed, strict=True)
+                if end is not None and closed
+            ]
+            for name, role in names.items()
+        ]
+        if len(ends) <= MOST_AT_ENDS:
+            yield from map(dict, product(*ends))
 
     def _zeros(self, equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> list[sp.Expr]:
         return zeros(equations, unknowns, self.setting.roles, self.letter)
@@ -466,9 +487,11 @@ class Region:
             if outer.answer != "proved":
                 return outer
             if self.free:
-                inner = Oracle(self.roles, (*given, inside)).decide_some(
-                    self.formula, frozenset(self.free)
-                )
+                within = Oracle(self.roles, (*given, inside))
+                inner = within.decide_some(self.formula, frozenset(self.free))
+                for chosen in (*self._chosen, *self._at_closed_ends()):
+                    if inner.answer == "undecided":
+                        inner = _as_proof(within.decide(put_in(self.formula, chosen)))
             else:
                 inner = Oracle(self.roles, (*given, inside)).decide(self.formula)
         except BeyondError:
@@ -507,7 +530,42 @@ class Region:
             cells.append((None, inside))
             if right is not None:
                 cells.append((right[1], self.allowed(right[0], drawn)))
+        for n, (point, inside) in enumerate(cells):
+            if point is None or inside or not (cells[n - 1][1] or cells[n + 1][1]):
+                continue
+            if out_of_range(self.letter, at(point, drawn), self.role) is None:
+                cells[n] = (point, self._is_reached(point, drawn))
         return joined_cells(cells)
+
+    def _is_reached(self, end: sp.Expr, drawn: Sample) -> bool:
+        """Whether a value next to an allowed one is allowed, with one choice of free letters.
+
+        There an expression touches zero, and numbers tell no more than that it comes near to it.
+        """
+        if not self.free or self.formula is None:
+            return False
+        there = put_in(self.formula, {self.symbol: end})
+        try:
+            possible = Oracle(self.roles, (*self.given, there)).possible
+            if possible.witness is None:
+                return False
+            # The free letters may have the same values whatever the data are.
+            chosen: dict[sp.Expr, sp.Expr] = {
+                self.roles[name].symbol(name): as_number(possible.witness[name])
+                for name in self.free
+                if name in possible.witness
+            }
+            if Oracle(self.roles, self.given).decide(put_in(there, chosen)):
+                if chosen not in self._chosen:
+                    self._chosen.append(chosen)
+                return True
+            data = {
+                self.roles[name].symbol(name): sp.Rational(value.fraction)
+                for name, value in drawn.items()
+            }
+            return bool(Oracle(self.roles, (put_in(there, data),)).possible)
+        except BeyondError:
+            return False
 
     def _gap(self, left: Border | None, right: Border | None, drawn: Sample) -> bool:
         match left, right:
@@ -526,6 +584,11 @@ class Region:
                 f"the ends of the range of {self.letter} have no exact form that is found here"
             )
         return truths.pop()
+
+
+def _as_proof(verdict: Verdict) -> Verdict:
+    """The verdict on one choice of free letters, which proves and refutes nothing of others."""
+    return verdict if verdict else Verdict("undecided", "undecided")
 
 
 def with_solved(trial: Trial, values: Sample) -> Sample:

@@ -126,7 +126,7 @@ def numeric_zeros(
     atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Enclosed]
 ) -> list[Enclosed]:
     """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
-    roots = []
+    roots: list[Enclosed] = []
     for atom in atoms:
         if not atom.has(x):
             continue
@@ -137,36 +137,39 @@ def numeric_zeros(
         }
         if len(others) != len(atom.free_symbols) - 1:
             continue
-        expression = atom.xreplace(others)
-        angle = expression.has(sp.sin, sp.cos, sp.tan)
-        if angle:
-            t = sp.Dummy("t")
-            expression = expression.xreplace(
-                {
-                    sp.sin(x): 2 * t / (1 + t**2),
-                    sp.cos(x): (1 - t**2) / (1 + t**2),
-                    sp.tan(x): 2 * t / (1 - t**2),
-                }
-            )
-            variable = t
-        else:
-            variable = x
-        try:
-            poly = sp.Poly(sp.together(expression).as_numer_denom()[0], variable)
-            roots_ = poly.nroots(n=35, maxsteps=200)
-        except (
-            sp.PolynomialError,
-            sp.GeneratorsNeeded,
-            ValueError,
-            NotImplementedError,
-            NoConvergence,
-        ):
-            continue
-        for root in roots_:
-            if abs(sp.im(root)) < 1e-18:
-                value = at(sp.re(root), {})
-                roots.append(2 * at(sp.atan(sp.re(root)), {}) if angle else value)
+        roots += _numeric_zeros(atom.xreplace(others), x)
     return roots
+
+
+@lru_cache(maxsize=1024)
+def _numeric_zeros(expression: sp.Expr, x: sp.Symbol) -> tuple[Enclosed, ...]:
+    """Where an expression of one letter vanishes: the same for all data that only set a scale."""
+    angle = expression.has(sp.sin, sp.cos, sp.tan)
+    if angle:
+        t = sp.Dummy("t")
+        expression = expression.xreplace(
+            {
+                sp.sin(x): 2 * t / (1 + t**2),
+                sp.cos(x): (1 - t**2) / (1 + t**2),
+                sp.tan(x): 2 * t / (1 - t**2),
+            }
+        )
+        variable = t
+    else:
+        variable = x
+    try:
+        poly = sp.Poly(sp.together(expression).as_numer_denom()[0], variable)
+        roots = poly.nroots(n=35, maxsteps=200)
+    except (
+        sp.PolynomialError,
+        sp.GeneratorsNeeded,
+        ValueError,
+        NotImplementedError,
+        NoConvergence,
+    ):
+        return ()
+    real = [sp.re(root) for root in roots if abs(sp.im(root)) < 1e-18]
+    return tuple(2 * at(sp.atan(root), {}) if angle else at(root, {}) for root in real)
 
 
 def representatives(numbers: list[Enclosed], role: Role) -> list[Enclosed]:
