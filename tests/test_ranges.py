@@ -254,61 +254,6 @@ def test_ends(text: str) -> None:
     assert disagreements(solve(parse(text)), expected(text)) == []
 
 
-TURNED = """
-    sphere A, B: mass m
-    sphere A: velocity u at alpha
-    sphere B: at rest
-    A hits B: along i
-    unknown {free}
-    given deflection(A) {bound}
-    find range of {letter}
-    """
-
-
-@pytest.mark.parametrize(
-    ("text", "values", "proof"),
-    [
-        # The component is (1 + e)u sin θ cos θ, which is greatest at θ = 45°.
-        (
-            """
-            wall W: along theta
-            sphere P: velocity u i
-            P hits W
-            unknown theta
-            given along(velocity(P), j) >= 3u/4
-            find range of e
-            """,
-            sp.Interval(sp.Rational(1, 2), 1),
-            "decision",
-        ),
-        # sin δ = (1 + e)/(3 − e) where δ is greatest.
-        (
-            TURNED.format(free="alpha", bound=">= 30°", letter="e"),
-            sp.Interval(sp.Rational(1, 3), 1),
-            "decision",
-        ),
-        (
-            TURNED.format(free="alpha", bound="> 30°", letter="e"),
-            sp.Interval.Lopen(sp.Rational(1, 3), 1),
-            "undecided",
-        ),
-        # With e = 1 it is turned by 90° − α, with less by less.
-        (
-            TURNED.format(free="e", bound=">= 50°", letter="alpha"),
-            sp.Interval.Lopen(0, sp.pi * 2 / 9),
-            "decision",
-        ),
-    ],
-    ids=["a wall", "a deflection", "a deflection beyond", "a coefficient"],
-)
-def test_an_end_that_one_value_of_a_free_letter_reaches(
-    text: str, values: sp.Set, proof: str
-) -> None:
-    item = solve(parse(text)).parts[None].items[0]
-    assert [answer.value for answer in item.answers] == [values]
-    assert item.proof == proof
-
-
 def test_a_range_with_a_pole_for_some_data_is_told_case_by_case() -> None:
     """With e above 9/16 a heavy B sends A back, and the tangent goes through infinity."""
     text = "sphere A: mass 1, velocity u i, radius r\nsphere B: mass k, at rest, radius r\n"

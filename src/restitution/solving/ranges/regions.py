@@ -12,7 +12,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import pairwise, product, zip_longest
 from types import MappingProxyType
 
 import sympy as sp
@@ -62,6 +62,7 @@ from restitution.solving.ranges.zeros import (
 from restitution.solving.story.admission import Admission, Demand
 from restitution.solving.story.conditions import AnyOf, Condition
 from restitution.solving.story.unknowns import Letters
+from restitution.work import spend
 
 DRAWS = 4
 
@@ -74,6 +75,10 @@ OTHERS_TRIED = 16
 
 
 ROUNDS = 4
+
+
+MOST_CHOICES = 200
+"""So many choices of free letters are tried at one value."""
 
 
 MOST_AT_ENDS = 2
@@ -299,16 +304,19 @@ class Region:
             inner.setting, inner.role = self.setting, self.roles[name]
             inner.symbol = inner.role.symbol(name)
             inner.trials = self.trials
-            extended: list[Sample] = []
+            rows: list[list[Sample]] = []
             for known in chosen:
+                spend()
                 values = {**drawn, self.letter: value, **known}
                 numbers = numeric_zeros(self._kept_atoms, inner.symbol, values)
                 role = inner.role
                 for bound in (role.low, role.high):
                     if bound is not None:
                         numbers.append(at(bound, {}))
-                extended += [{**known, name: x} for x in representatives(sorted(numbers), role)]
-            chosen = extended[:200]
+                rows.append([{**known, name: x} for x in representatives(sorted(numbers), role)])
+            # Of too many those are left out that are close to others, in whatever letter.
+            columns = zip_longest(*rows)
+            chosen = [one for column in columns for one in column if one is not None][:MOST_CHOICES]
         return chosen
 
     def _solved(self, trial: Trial, values: Sample) -> Sample:

@@ -173,16 +173,16 @@ def _numeric_zeros(expression: sp.Expr, x: sp.Symbol) -> tuple[Enclosed, ...]:
 
 
 def representatives(numbers: list[Enclosed], role: Role) -> list[Enclosed]:
-    """Numbers, points between them and points beyond them."""
+    """Numbers, points between them, beyond them and close to them, in this order."""
     if not numbers:
         return [at(sp.Rational(1, 3), {})]
-    points = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
-    for a, b in pairwise(numbers):
-        points += [a, (a + b) / 2]
+    pairs = list(pairwise(numbers))
+    points = [*numbers, *((a + b) / 2 for a, b in pairs)]
+    points += [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
+    for power in NEAR:
         # Where a root hides a border, it may lie as near to an end as one likes.
-        for power in NEAR:
+        for a, b in pairs:
             points += [a + (b - a) / 10**power, b - (b - a) / 10**power]
-    points.append(numbers[-1])
     low = None if role.low is None else at(role.low, {})
     high = None if role.high is None else at(role.high, {})
     return [x for x in points if (low is None or x >= low) and (high is None or x <= high)]
