@@ -236,3 +236,24 @@ def test_an_impossible_cosine_follows_to_its_own_figures() -> None:
     lines[2] = "cosθ = 1.12, so no"
     marking = restitution.mark(problem, "\n".join(lines), letters=letters)
     assert marking.json()["lines"][2]["verdict"] == "false"
+
+
+def test_a_wrong_number_goes_on_in_products_with_letters_and_beside_rounded_ones() -> None:
+    """Sine and cosine exchanged lead to 12eu/13; a wrong angle stands beside a rounded speed."""
+    slowed = (
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+        "given tan(alpha) = 12/5, speed(P) = 4/5 u\nfind e"
+    )
+    lines = ["cosα = 12/13 and sinα = 5/13", "(12u/13)² + (5eu/13)² = (4u/5)²"]
+    marking = restitution.mark(restitution.parse(slowed), "\n".join(lines)).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["false", "follows"]
+    bend = (
+        "wall AB: along i\nwall BC: along 75°\nsphere P: velocity 6 at 60° to AB\n"
+        "P hits AB: e = 1/2\npart a\nfind speed(P)\nP hits BC: e = 2/3\npart b\nfind speed(P)"
+    )
+    letters = {"w": "speed(P, 2)", "c": "angle(velocity(P, 2), BC)"}
+    lines = ["75 - 40.89 = 24.11", "w sin c = 2/3 × 3.969 sin 24.11 = 1.081"]
+    marking = restitution.mark(
+        restitution.parse(bend), "\n".join(lines), part="b", letters=letters
+    ).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["false", "follows"]

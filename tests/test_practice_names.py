@@ -353,3 +353,38 @@ def test_restitution_left_out_at_a_later_wall_has_its_name() -> None:
     letters = {"w": "speed(P, 2)", "v": "speed(P, 1)", "b": "angle(velocity(P, 1), W)"}
     lines = ["v sin b = eu/√2", "w cos 30 = u/√2", "w sin 30 = eu/√2"]
     assert names(statement, *lines, **letters) == [None, None, "restitution-omitted"]
+
+
+# 2a + 3b = 4 and b - a = 3: a = -1 and b = 2.
+_STONES = """sphere A: mass 2, velocity 8i + 3j
+sphere B: mass 3, velocity -4i + j
+A hits B: along i, e = 1/4
+find velocity(A), velocity(B)"""
+# Along i + j: A from 12/√2 to -4/√2, B from -4/√2 to 4/√2; A has 8/√2 across it.
+_SEEN = """sphere A: mass 2, velocity 10i + 2j
+sphere B: mass 4, velocity -4i
+A hits B
+given velocity(A) = 2i - 6j
+find e"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "principle"),
+    [
+        (_STONES, "4 = 2a + 3b", "momentum"),
+        (_STONES, "b - a = 3", "restitution"),
+        (_SEEN, "4√2 = e × 8√2", "restitution"),
+        (_SEEN, "8/√2 = e × 16/√2", "restitution"),
+    ],
+)
+def test_a_law_is_not_another_one_by_its_numbers(statement: str, line: str, principle: str) -> None:
+    letters = {"a": "along(velocity(A), i)", "b": "along(velocity(B), i)"}
+    marking = restitution.mark(solution_of(statement), line, letters=letters).json()
+    assert marking["lines"][0]["principle"] == principle
+    inverted = restitution.mark(solution_of(_STONES), "4 = 2a + 3b\n¼(b - a) = 12", letters=letters)
+    assert inverted.mistakes == ("restitution-inverted",)
+
+
+def test_a_sign_that_mends_a_quotient_is_one_of_the_law() -> None:
+    lines = ["(10,2).(1,1) = 12, (2,-6).(1,1) = -4", "(-4,0).(1,1) = -4, (0,4).(1,1) = 4"]
+    assert names(_SEEN, *lines, "e = (4 + 4)/(12 - 4) = 1")[-1] == "restitution-sign"

@@ -580,3 +580,26 @@ def test_a_component_that_stays_is_kept_in_vectors_below_a_slip() -> None:
     stays = "component that the impact does not change"
     assert of(pair, stays, *laws, vectors, **letters) == [True]
     assert of(pair, stays, *laws, "vA = 4uj, vB = 6uj", **letters) == [False]
+
+
+def test_a_printed_result_is_spoilt_by_what_goes_on_from_its_worth() -> None:
+    wall = (
+        "wall W: along j\nsphere P: mass m, velocity u at alpha\nP hits W\n"
+        "show energy_lost = 1/2 m u^2 (1 - e^2) cos^2(alpha)"
+    )
+    result = "the printed result, from correct working"
+    lines = ["v cosβ = e u cosα", "KE lost = 1/2 m u² cos²α - 1/2 m e² u² cos²α"]
+    assert of(wall, result, *lines, "= 1/2 m u² cos²α (1 - e)²") == [False]
+    assert of(wall, result, *lines, "= 1/2 m u² cos²α (1 - e²)") == [True]
+
+
+def test_a_sign_in_the_law_that_is_the_condition_keeps_its_method() -> None:
+    cars = (
+        "sphere A: mass 2, velocity 8i\nsphere B: mass 1, velocity -2i\nA hits B: along i\n"
+        "part a\nshow velocity(A) = (14 - 10e)/3 i\npart b\ngiven e = 4/5\nfind velocity(B)"
+    )
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    for line, kept in (("w = 8 - 2 = 6", True), ("w = 2 + 8 = 10", True), ("w = 7", False)):
+        marking = restitution.mark(solution_of(cars), f"v = 2\n{line}", part="b", letters=letters)
+        used = [x for x in marking.marks.points if x.point.purpose == "the condition used"]
+        assert [x.state == "earned" for x in used] == [kept]

@@ -86,3 +86,13 @@ class JudgedSoFar(Protocol):
 
     def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
         """The laws that a line uses."""
+
+
+def signs_alone(whole: Explained, first: Explained) -> Explained:
+    """What explains the value of a chain, where a sign mends the expression before it.
+
+    Then of all laws that would give the value those alone are meant that have a sign altered.
+    """
+    laws = {use.principle for use in first.near} if first.slip == "sign" else set[str]()
+    signs = tuple(x for x in whole.variants if x.mistake in {f"{law}-sign" for law in laws})
+    return replace(whole, variants=signs) if signs else whole

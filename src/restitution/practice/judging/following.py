@@ -186,8 +186,9 @@ class Following(NearlyTrue):
         """A line that is true with what the student's wrong numbers stand for."""
         for claim in self._in_all_meanings(link, line):
             for own, numbers in self._own_numbers.put_back(claim):
-                grade = next(
-                    (g for w in self.worlds if (g := self.accuracy(own, w, line, link))), None
+                # What was rounded above the wrong number is no decimal of this line.
+                grade = self._best_accuracy(own, self.worlds, line, link) or next(
+                    (g for w in self.worlds if (g := self._loosely(own, w, line, link))), None
                 )
                 if grade is not None:
                     return JudgedLink("follows", claim, grade, numbers, right=own)

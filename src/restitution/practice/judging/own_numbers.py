@@ -252,9 +252,20 @@ def _as_fraction(node: Expression) -> Expression:
             return Number(above / below)
         case Binary("/", Letter() as letter, Number(below)) if below:
             return Binary("*", Number(1 / below), letter)
-        case Binary("/", Binary("*", Number(above), Letter() as letter), Number(below)) if below:
-            return Binary("*", Number(above / below), letter)
+        case Binary("/", Binary("*") as above, Number(below)) if below:
+            return _divided(above, below) or node
     return node
+
+
+def _divided(product: Binary, below: Fraction) -> Expression | None:
+    """A product of letters that a number leads, ``3eu``, with that number divided."""
+    match product:
+        case Binary("*", Number(above), Letter()):
+            return replace(product, left=Number(above / below))
+        case Binary("*", Binary("*") as left, Letter()):
+            own = _divided(left, below)
+            return None if own is None else replace(product, left=own)
+    return None
 
 
 def _is_near(number: Fraction, other: Fraction) -> bool:

@@ -38,7 +38,7 @@ from restitution.practice.judging.entries import (
     is_monomial,
     is_numeric,
 )
-from restitution.practice.judging.explained import Explained
+from restitution.practice.judging.explained import Explained, signs_alone
 from restitution.practice.judging.extremes import speaks_of_any_value
 from restitution.practice.judging.following import COEFFICIENT, NAMED
 from restitution.practice.judging.judged_link import (
@@ -411,7 +411,7 @@ class Judge(Unlabelled):
         quoted = (not explained.variants or start < place) and not (plain or shown)
         for link in links[place : end + 1] if quoted else ():
             whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
-            other = self.naming.explained(whole, self)
+            other = signs_alone(self.naming.explained(whole, self), explained)
             if any(not cannot_be(variant, entry, self._base) for variant in other.variants):
                 return other
         return explained

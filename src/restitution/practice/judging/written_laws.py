@@ -8,7 +8,15 @@ from itertools import product
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit, letters
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Quantity,
+    Unit,
+    is_component,
+    letters,
+)
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry
 from restitution.practice.worlds.arrays import Array
@@ -29,6 +37,8 @@ def with_written_law(uses: tuple[Use, ...], entry: Entry, world: World) -> tuple
     ``12 - 2 = 3(1.5) + w`` is an equation of w alone, and momentum all the same.
     """
     if not uses or uses[0].principle not in _OTHERWISE or not _is_open(entry):
+        return uses
+    if uses[0].principle == "momentum" and _has_two_velocities(entry):
         return uses
     for number, spheres in _pairs_of(world):
         if any(_is_momentum(entry, world, number, spheres, axis) for axis in _axes(number)):
@@ -101,6 +111,12 @@ def _is_open(entry: Entry) -> bool:
     """Whether a claim is an equation with a letter in a sum."""
     sides = entry.claim.left, entry.claim.right
     return entry.claim.sign == "=" and any(map(letters, sides))
+
+
+def _has_two_velocities(entry: Entry) -> bool:
+    """Whether two letters of a claim are components of velocities: none is put in."""
+    names = letters(entry.claim.left) | letters(entry.claim.right)
+    return sum(map(is_component, map(entry.meanings.get, names))) > 1
 
 
 def _axes(number: int) -> Iterator[Expression]:

@@ -6,7 +6,12 @@ from collections.abc import Iterator, Mapping
 
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.judgement import JudgedLine, Use
-from restitution.practice.marking.grounds import LAWS, Grounds, is_of_plain_mistake
+from restitution.practice.marking.grounds import (
+    LAWS,
+    Grounds,
+    is_inequality,
+    is_of_plain_mistake,
+)
 from restitution.practice.marking.lines import fitting_uses, is_plain, is_sound
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint
@@ -170,6 +175,27 @@ class PrincipleLines(Grounds):
         if mistake is not None and mistake.kind == "slip":
             return True, "all terms are there; a slip keeps the method"
         return False, "not an instance of the law"
+
+    def _in_a_law(self, point: MarkPoint) -> JudgedLine | None:
+        """A false line that gives an answer by a law, and keeps the method of that law.
+
+        So it is where a part uses a condition that is the law with values put in.
+        """
+        if point.principle != "condition" or is_inequality(point):
+            return None
+        answers = [other for other in self.scheme.points if point.id in other.depends]
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "false"
+                and any(self.values.matches(answer, line) is not None for answer in answers)
+                and any(
+                    use.principle in LAWS and self._with_mistake(line, use)[0] for use in line.uses
+                )
+            ),
+            None,
+        )
 
     def _is_resolved_elsewhere(self, name: str | None, use: Use) -> bool:
         """Whether sine and cosine are exchanged in Newton's law alone.

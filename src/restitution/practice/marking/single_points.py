@@ -67,9 +67,27 @@ class SinglePoints(PrincipleLines):
             return self._independent(point)
         stated = self._stated(point)
         value = self._value(point) if stated is None else self._earned(point, stated, "")
+        if (spoilt := self._goes_wrong(point, value)) is not None:
+            return PointMark(point, "lost", spoilt.line.number, "what it goes on with is not true")
         alone = value.line is None or value.state == "earned"
         in_words = self._in_words(point) if point.shown and alone else None
         return value if in_words is None else self._earned(point, in_words, "said in words")
+
+    def _goes_wrong(self, point: MarkPoint, value: PointMark) -> JudgedLine | None:
+        """A false line that goes on, ``= ½mu²(1 - e)²``, from what is worth what is printed.
+
+        Whoever has written the printed form itself has shown it.
+        """
+        line = self._line(value.line)
+        if not point.shown or value.state != "earned" or line is None or point.link is None:
+            return None
+        links = line.line.links
+        if not links or links[-1].readings[0].right == point.link.right:
+            return None
+        below = next((x for x in self.lines if x.line.number > line.line.number), None)
+        if below is None or not below.line.text.lstrip().startswith("="):
+            return None
+        return below if below.verdict == "false" else None
 
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
@@ -101,6 +119,7 @@ class SinglePoints(PrincipleLines):
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
         compared = self._compared(point) or self._in_a_sum(point) or self._in_squares(point, lost)
+        compared = compared or self._in_a_law(point)
         if compared is not None:
             return self._earned(point, compared, "")
         if point.principle == "deflection":

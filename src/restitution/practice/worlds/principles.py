@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     children,
     is_binary,
     is_quantity,
+    letters,
     quantities_in,
     unsigned,
     walk,
@@ -114,6 +115,10 @@ def _put_in(
         return ()
     if uses and is_triangle(claim, world, meanings, scope):
         return (Use("angle", uses[0].event, uses[0].bodies), *uses[1:])
+    if letters(claim.left) | letters(claim.right) == {"e"} and not trial.is_value:
+        product = coefficient_put_in(claim, world, meanings, scope)
+        if product is not None:
+            return (product,)
     law = law_put_in(claim, trial.states, meanings, scope, exact=trial.exact)
     return () if law is None or trial.is_value else (law,)
 

@@ -323,6 +323,13 @@ def coefficient_put_in(claim: Claim, world: World, meanings: Meanings, scope: Sc
                 tree = other.tree if isinstance(other, _Divided) else other
                 if _has_size(tree, np.abs(world.spread(wanted)), world, meanings, scope):
                     return Use("restitution", number, spheres)
+        known = Letter("e") if step.e is None else step.e
+        for side in (claim.left, claim.right) if isinstance(known, Letter) else ():
+            product_of_e = known in walk(side) and not any(
+                is_binary(node, "+", "-") for node in walk(side)
+            )
+            if product_of_e and _has_size(side, e * np.abs(apart), world, meanings, scope):
+                return Use("restitution", number, spheres)
     return None
 
 
