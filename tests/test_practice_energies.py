@@ -226,3 +226,16 @@ def test_an_energy_with_a_component_missing_spoils_the_loss() -> None:
         marks = restitution.mark(problem, "\n".join(script)).json()["marks"]
         methods = [x for x in marks["points"] if x["kind"][-2:] == "M1" and "energy" in x["for"]]
         assert [x["state"] for x in methods] == ["earned" if earned else "lost"]
+
+
+def test_a_fraction_of_the_wrong_energy_and_a_wrong_sum_keep_the_method() -> None:
+    """Only an energy that is not whole spoils the loss."""
+    share = _GAIN.replace("find energy_lost", "find energy_lost/energy(0)")
+    lines = ["along i: before 16 + 2 = 18", "along i: after 1 + 8 = 9", "loss = 9"]
+    twice = _GAIN.replace("3j\n", "3j\nwall W: along j\n").replace("find energy_lost", "")
+    twice += "B hits W: e = 3/4\nfind total_energy_lost"
+    wrong_sum = ["B gains 9 - 6.5 = 2.5", "total KE lost = 15 + 2.5 = 17.5"]
+    for statement, script in ((share, [*lines, "fraction = 9/18"]), (twice, wrong_sum)):
+        marks = restitution.mark(restitution.parse(statement), "\n".join(script)).json()["marks"]
+        methods = [x for x in marks["points"] if x["kind"][-2:] == "M1" and "energy" in x["for"]]
+        assert [x["state"] for x in methods] == ["earned"]

@@ -91,8 +91,11 @@ class JudgedSoFar(Protocol):
 def signs_alone(whole: Explained, first: Explained) -> Explained:
     """What explains the value of a chain, where a sign mends the expression before it.
 
-    Then of all laws that would give the value those alone are meant that have a sign altered.
+    Then of all laws that would give the value those alone are meant that have a sign altered. A
+    sign in a sum of energies is no mistake with a name.
     """
     laws = {use.principle for use in first.near} if first.slip == "sign" else set[str]()
+    if laws == {"energy"}:
+        return first
     signs = tuple(x for x in whole.variants if x.mistake in {f"{law}-sign" for law in laws})
     return replace(whole, variants=signs) if signs else whole

@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.expression.tree import COMPONENTS, is_quantity, walk
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
+from restitution.expression.tree import COMPONENTS, Binary, Number, is_quantity, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.marking.grounds import (
     LAWS,
@@ -263,17 +264,16 @@ class SinglePoints(PrincipleLines):
         if point.principle != "energy" or any(map(self._has_true_line, answers or [point])):
             return None
         alone = sum(x.letter == "M" and x.principle == "energy" for x in self.scheme.points) == 1
-        wrong = [
-            (line, use)
-            for line in self.lines
-            if line.verdict == "false" and has_name(line)
-            for use in line.uses
-            if use.principle == "energy" and (alone or use.event == point.event)
-        ]
-        for line, use in wrong:
-            kept, why = self._with_mistake(line, use)
-            if not kept:
-                return PointMark(point, "lost", line.line.number, why)
+        for line in self.lines:
+            named = MISCONCEPTIONS.get(line.mistake.id or "") if line.mistake else None
+            rule = None if named is None else named.mark_of("energy")
+            own = [use for use in line.uses if use.principle == "energy"]
+            if line.verdict != "false" or rule is None or not rule.startswith("M0"):
+                continue
+            if _adds_numbers(line):
+                continue
+            if any(alone or use.event == point.event for use in own):
+                return PointMark(point, "lost", line.line.number, self._reason(line))
         return None
 
     def _of_a_part(self, point: MarkPoint) -> PointMark | None:
@@ -687,3 +687,11 @@ class SinglePoints(PrincipleLines):
             return False
         solved = self.values.is_solved(line, whole=True)
         return solved or self.values.is_eliminated(line, put_in=fewer)
+
+
+def _adds_numbers(line: JudgedLine) -> bool:
+    """Whether what is false in a line adds two numbers, of energies as wholes: ``15 + 2.5``."""
+    match line.line.links[line.link or 0].readings[0].right:
+        case Binary("+", Number(), Number()):
+            return True
+    return False

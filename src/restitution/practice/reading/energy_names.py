@@ -50,7 +50,10 @@ class EnergyNames(VelocityNames):
                 whole = Quantity("total_energy_lost", (), after)
                 if self.features.both and len(self.events) > 1 and len(self.spheres) == 1:
                     last = whole  # of one sphere the total is that of all impacts
-                for value in dict.fromkeys((last, whole)) if len(self.events) > 1 else (last,):
+                several = (last, whole) if len(self.events) > 1 else (last,)
+                if self.features.both and any(self.asked("total_energy_lost")):
+                    several = several[::-1]  # of two spheres a total may be of one impact
+                for value in dict.fromkeys(several):
                     yield Negate(value) if gain else value
                 if either:
                     yield last if gain else Negate(last)
