@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from workings import printed_with
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Relation
@@ -484,3 +485,45 @@ def test_a_fact_that_a_part_has_closed_is_not_worked_out_again() -> None:
     (_, after) = told.split("(b)\n")
     assert "q² = (1 + 4e)p²/3" in after
     assert "speed of A" not in after
+
+
+def test_the_complement_of_a_later_part_goes_into_what_an_earlier_part_has() -> None:
+    printed_with(
+        """
+        sphere A: mass 2m, velocity u at alpha
+        sphere B: mass m, at rest
+        A hits B: along i
+        given angle(velocity(A), line_of_centres) = beta
+        part a
+        find e in terms of alpha, beta
+        part b
+        given alpha + beta = 90°
+        show tan^2(alpha) <= 2/3
+        """,
+        (
+            "(b) Since α + β = 90°: tan β = 1/tan α",
+            "e = 2 − 3 tan²α 2 − 3 tan²α ≥ 0, as e ≥ 0",
+            "tan²α ≤ ⅔ (as required)",
+        ),
+    )
+
+
+def test_a_quadratic_that_is_shown_is_solved_in_the_part_that_asks_for_both_roots() -> None:
+    printed_with(
+        """
+        sphere A: mass m, velocity u at alpha
+        sphere B: mass m, at rest
+        A hits B: along i, e = 1/2
+        given tan(deflection(A)) = 1/2
+        part a
+        show 4 tan^2(alpha) - 6 tan(alpha) + 1 = 0
+        part b
+        find alpha
+        """,
+        (
+            "4 tan²α − 6 tan α + 1 = 0 (as required) (3)",
+            "(b) From (3): tan α = (3 + √5)/4 or tan α = (3 − √5)/4",
+            "α = arctan((3 + √5)/4)",
+            "α = arctan((3 − √5)/4)",
+        ),
+    )

@@ -23,15 +23,44 @@ def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
         return drafts[0]
     for draft in drafts:
         draft.splits = _splits_in_use(before, draft)
+    if (common := _ended_before_they_part(before, drafts)) is not None:
+        return common
     desk = _joined(before, drafts, 0)
     if len(drafts) > 1:
         desk.forget(min(split[0] for draft in drafts for split in draft.splits[:1]))
     return desk
 
 
+def _ended_before_they_part(before: Desk, drafts: Sequence[Desk]) -> Desk | None:
+    """The lines that are the same in all drafts, where every item ends there; None where not.
+
+    A quadratic that is to be shown is solved in the part that asks for its roots.
+    """
+    first, own = drafts[0], [draft.splits[len(before.splits) :] for draft in drafts]
+    if not all(own) or len({splits[0][0] for splits in own}) > 1:
+        return None
+    split = own[0][0][0]
+    lines = first.lines[: split - 1]
+    ends = first.ends[len(before.ends) :]
+    if len(lines) < len(before.lines) or not ends or any(end.line >= split for end in ends):
+        return None
+    if any(
+        (e.lines[: split - 1], e.ends, e.notes) != (lines, first.ends, first.notes) for e in drafts
+    ):
+        return None
+    desk = first.fork()
+    desk.lines, desk.splits = lines, before.splits
+    desk.forget(split)
+    return desk
+
+
 def _splits_in_use(before: Desk, draft: Desk) -> tuple[tuple[int, int], ...]:
-    """The splits of a draft without those of an earlier part on which no new line rests."""
+    """The splits of a draft without those of an earlier part on which nothing new rests.
+
+    An item may end at a line of an earlier part.
+    """
     new = [line.number for line in draft.lines[len(before.lines) :]]
+    new += [end.line for end in draft.ends if end not in before.ends]
     return tuple(
         split
         for split in draft.splits

@@ -44,7 +44,7 @@ from restitution.planning.formulas.impacts import residual
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.routes.givens import write_given
-from restitution.planning.writing.desk import UNPLANNED, chain
+from restitution.planning.writing.desk import UNPLANNED, Source, chain
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
 from restitution.planning.writing.inequalities import (
     bounds,
@@ -95,7 +95,8 @@ class Ties:
         tied = [own for own in known if own and sp.sympify(own.value, strict=True).free_symbols]
         lines = [ref for own in tied for ref in own.refs if isinstance(ref, int)]
         if lines:
-            yield from dict.fromkeys(self._without_roots(number) for number in lines)
+            plain = dict.fromkeys(self._without_roots(number) for number in lines)
+            yield from map(self._with_complements, plain)
             return
         none = True
         for given in scene.given:
@@ -197,6 +198,25 @@ class Ties:
         relation = chain(square(Apply("tan", tree_of(angle))), (tree_of(value), None))
         known = self.judge.known(letters(relation.only[0].right))
         return self.judge.write((Move("rearrange"),), [plain, *known], relation) or plain
+
+    def _with_complements(self, line: int) -> int:
+        """An equation for a letter, in which an angle is put in that is given as a complement.
+
+        It is the same equation where it has no such angle.
+        """
+        scene, link = self.scene, self.scene.desk.last_link(line)
+        if has_quantity(link.right) or not letters(link.right) & scene.complements.keys():
+            return line
+        mark, known = self.worths.mark(), scene.desk.known(link.left)
+        if known is None or line not in known.refs:
+            known = Source(scene.scalar(link.right))
+        put, refs = scene.put(known.value)  # in tangents, where its line was written so
+        relation = equality(link.left, tree_of(put))
+        number = self.judge.write((Move("put"),), [line, *refs], relation)
+        if number is None:
+            self.worths.back(mark)
+            return line
+        return number
 
     def _with_values(self, line: int) -> int:
         """An equation for a letter with values put in that are known since; else as it is."""

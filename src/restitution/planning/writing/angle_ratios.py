@@ -146,9 +146,14 @@ def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
         scene.desk.know(Apply("tan", letter), others["tan"], (ref, number))
 
 
+_OF_COMPLEMENTS = {"sin": "cos", "cos": "sin", "tan": "tan"}
+
+
 def write_complement(scene: Angles, own: Apply, fact: Fact, other: str) -> None:
-    """``sin β = cos α``, or ``cos β = sin α``, of two angles that make 90°."""
-    ratio = Apply({"sin": "cos", "cos": "sin"}[own.function], Letter(other))
+    """``sin β = cos α``, ``cos β = sin α`` or ``tan β = 1/tan α``, of two angles that make 90°."""
+    ratio: Expression = Apply(_OF_COMPLEMENTS[own.function], Letter(other))
+    if own.function == "tan":
+        ratio = Binary("/", ONE, ratio)
     number = scene.desk.write(Move("identity", "complement"), (fact.id,), chain(own, (ratio, None)))
     scene.desk.know(own, scene.scalar(ratio), (number,))
 

@@ -441,7 +441,7 @@ class Scene:
         if known is None and self._ratio_fact(argument) is not None:
             write_ratios(self, argument)
             known = self.desk.known(tree)
-        if known is None and argument.name in self.complements and tree.function != "tan":
+        if known is None and argument.name in self.complements:
             write_complement(self, tree, *self.complements[argument.name])
             known = self.desk.known(tree)
         if argument in self._tied:
