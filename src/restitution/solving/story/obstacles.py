@@ -146,9 +146,8 @@ def _no_sphere_first(
             for start, unless in _starts(state, own[1], known[1]):
                 gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
                 duration = own[1] + flight - start
-                _no_contact_within(
-                    state, name, other, gap, v - w, duration, unless, at_wall=at_wall
-                )
+                towards = v if at_wall else None
+                _no_contact_within(state, name, other, gap, v - w, duration, unless, towards)
             continue
         state.needs_numbers = True
         start = later(state, own[1], known[1])
@@ -162,8 +161,8 @@ def _no_sphere_first(
         touch = _first_touch(state, state.radius(name), gap, v - w)
         if touch is not None:
             spare = start + touch - (own[1] + flight)
-            relation: Literal[">", ">="] = ">" if at_wall and order is not None else ">="
-            state.conditions.append(Condition(spare, relation, reason, "place"))
+            in_front = at_wall and order is not None and state.sign(v.dot(order)) == 1
+            state.conditions.append(Condition(spare, ">" if in_front else ">=", reason, "place"))
 
 
 def _order(state: State, name: str, other: str, gap: Vector, approach: Vector) -> Vector | None:
@@ -215,13 +214,12 @@ def _no_contact_within(
     approach: Vector,
     duration: Scalar,
     unless: tuple[Condition, ...],
-    *,
-    at_wall: bool,
+    towards: Vector | None,
 ) -> None:
     """Two spheres, a gap apart at first, do not touch within a time, as conditions in letters.
 
     They do not where they separate or pass by, and where at the end they still approach and are
-    two radii apart.
+    two radii apart. Who goes ``towards`` a wall may not touch at the end either who is in front.
     """
     values = (*gap, *approach, duration)
     if not any(symbols_in(sp.sympify(x, strict=True)) for x in values):
@@ -233,8 +231,10 @@ def _no_contact_within(
     radius = state.radius(name)
     options = [*unless, Condition(-gap.dot(approach), ">=", reason, "place")]
     order = _order(state, name, other, gap, approach)
-    relation: Literal[">", ">="] = ">" if at_wall and order is not None else ">="
-    ends = [Condition(end.dot(approach), relation, reason, "place")]
+    ends: list[tuple[Condition, ...]] = [(Condition(end.dot(approach), ">=", reason, "place"),)]
+    if order is not None and towards is not None:
+        behind = Condition(-order.dot(towards), ">=", reason, "place")
+        ends.append((Condition(end.dot(approach), ">", reason, "place"), behind))
     if order is not None:
         # Without a gap they are still in contact: then their order tells whether they approach.
         options[-1:] = [
@@ -248,7 +248,7 @@ def _no_contact_within(
         passing = cross * cross - reach * approach.dot(approach)
         options.append(Condition(passing, ">=", reason, "place"))
         options.append(Condition(reach - gap.dot(gap), ">", reason, "place"))
-        ends.append(Condition(end.dot(end) - reach, ">=", reason, "place"))
+        ends.append((Condition(end.dot(end) - reach, ">=", reason, "place"),))
     options = [replace(option, value=state.rational(option.value)) for option in options]
     left_open: list[Condition] = []
     for option in options:
@@ -258,9 +258,9 @@ def _no_contact_within(
         if holds is None:
             left_open.append(option)
     for at_end in ends:
-        at_end = replace(at_end, value=state.rational(at_end.value))
-        if not _is_met(state, at_end):
-            state.conditions.append(AnyOf((*left_open, at_end), reason) if left_open else at_end)
+        some = [replace(option, value=state.rational(option.value)) for option in at_end]
+        if not any(_is_met(state, option) for option in some):
+            state.conditions.append(AnyOf((*left_open, *some), reason))
 
 
 def _is_met(state: State, condition: Condition) -> bool | None:
