@@ -63,3 +63,11 @@ def test_the_component_that_is_used_later_is_named_and_not_the_vector_made_of_it
         "part b\nfind e"
     )
     assert "Newton's experimental law, with 𝐮_A · 𝐧 and v = −8/5 m s⁻¹ from part (a):" in text
+
+
+def test_a_line_that_is_typed_against_the_approach_turns_no_impulse() -> None:
+    text = printed(
+        "sphere A: mass 2, velocity 5i + 2j\nsphere B: mass 4, velocity -i + j\n"
+        "A hits B: along -3i + 4j\ngiven impulse = 5\nfind impulse(A)"
+    )
+    assert "= (−3𝐢 + 4𝐣) N s" in text

@@ -36,6 +36,8 @@ def write_impulse_by_its_size(scene: Scene, impulse: Expression) -> None:
         return
     if not all(component.is_number for component in own_frame.n):
         return
+    if own_frame.wall is None and not _leads_to_the_second(scene, event):
+        return
     # A frame leads away from a wall, and from the first sphere to the second.
     away = own_frame.n if own_frame.wall or body != scene.spheres(event)[0] else -own_frame.n
     whole, length = whole_direction(away)
@@ -48,6 +50,13 @@ def write_impulse_by_its_size(scene: Scene, impulse: Expression) -> None:
     refs = together(own.refs, scene.frame(event).refs)
     if scene.judge.follows(move, refs, chain(impulse, (right, None))):
         write_formula(scene, Formula(move, itself, impulse, right, value, refs, between))
+
+
+def _leads_to_the_second(scene: Scene, event: int) -> bool:
+    """Whether the line of centres is typed in the sense in which the first sphere approaches."""
+    first, second = (scene.velocity(sphere, event - 1) for sphere in scene.spheres(event))
+    approach = (first - second).dot(scene.model.frames[event].n)
+    return scene.model.sign(scene.model.in_data(approach)) > 0
 
 
 def write_opposite_impulse(scene: Scene, impulse: Expression) -> None:
