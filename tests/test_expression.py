@@ -320,6 +320,8 @@ REFUSED = {
     "sin 90/2°": (1, "write sin 90/(2°)"),
     "50%/2°": (1, "such as 90/2°, is one angle"),
     "90/0°": (4, "division by zero"),
+    "1/0": (3, "division by zero"),
+    "u + 3/0.0 i": (7, "division by zero"),
     f"0.{'0' * 37}1/777°": (1, "at most 40 digits"),
     "2 3": (3, "two numbers"),
     "2½": (2, "mixed number"),

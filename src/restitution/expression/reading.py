@@ -237,13 +237,13 @@ def _binary(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expressio
 def _quotient(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
     """A quotient; of two numbers with a degree sign behind them, it is one angle: ``90/2°``."""
     above, below = node.children[0], node.children[2]
+    left, right = spans[0], spans[2]
+    if isinstance(right.value, Number | Degrees) and right.value.value == 0:
+        raise reading.error("division by zero", right.place)
     degrees = _first_degrees(below)
     if degrees is None:
         return _binary(reading, node, spans)
-    left, right = spans[0], spans[2]
     if isinstance(above, Token) and _is_a_count(above) and below is degrees:
-        if right.value.value == 0:
-            raise reading.error("division by zero", right.place)
         value = left.value.value / right.value.value
         if max(len(str(value.numerator)), len(str(value.denominator))) > MAX_DIGITS:
             raise reading.error(f"a number has at most {MAX_DIGITS} digits", left.place)
