@@ -473,6 +473,26 @@ def test_a_dash_behind_the_letter_of_a_sphere_belongs_to_it() -> None:
     assert write_claim(script.lines[1].links[0].readings[0]) == "4v_B' − v_A' = 2"
 
 
+@pytest.mark.parametrize(
+    ("typed", "read"),
+    [
+        ("4 = 2a + b\na = 1, b = 2\nva = i + j, vb = 2i", "v_A = i + j"),  # v is no letter there
+        ("v = 3, w = 2\nvb = 2i, va = 3i", "v_B = 2i"),
+        ("v = 3, b = 2\nvb = 6, va = 3a", "v b = 6"),  # both are letters, and so a product
+        ("u = 3, w = a\nua + ub = 5", "u a + u b = 5"),
+    ],
+)
+def test_two_small_letters_are_a_name_where_no_product_is_meant(typed: str, read: str) -> None:
+    *_, last = read_working(typed, problem()).lines
+    assert written_claim(last.links[0].readings[0]) == read
+
+
+def test_the_label_of_a_part_is_no_letter_of_the_working() -> None:
+    parts = problem(SPHERES.replace("find", "part a\nfind", 1) + "\npart b\nfind energy_lost")
+    script = read_working("(a)\nv = 3, w = 1\n(b)\nva = 3i, vb = i", parts)
+    assert written_claim(script.lines[-1].links[0].readings[0]) == "v_A = 3i"
+
+
 def test_a_share_may_end_the_chain_of_what_is_lost() -> None:
     *_, link = line("KE lost = 16 - 13 = 3J = 18.75%", ENERGIES).links
     assert "percentage lost = 0.1875" in [write_claim(each) for each in link.readings]

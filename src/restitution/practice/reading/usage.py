@@ -234,10 +234,10 @@ def _aliases(
 def _subscripts(
     spheres: frozenset[str], letters: frozenset[str], runs: Sequence[str]
 ) -> dict[str, str]:
-    """``va`` and ``vb`` where A and B are spheres, and no letter is called a or b."""
+    """``va`` and ``vb`` where A and B are spheres, and no product of two letters is meant."""
     small = {sphere.lower(): sphere for sphere in spheres if len(sphere) == 1}
     pairs = [run for run in runs if len(run) == 2 and run[0] in "uvwmUV" and run[1] in small]
     of_both = len({run[1] for run in pairs}) > 1
-    if any(run[1] in letters for run in pairs) or not of_both:
+    if any({*run} <= letters for run in pairs) or not of_both:
         return {}
     return {run: f"{run[0]}_{small[run[1]]}" for run in pairs}

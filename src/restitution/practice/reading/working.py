@@ -75,7 +75,9 @@ def read_working(text: Working, problem: Problem, declared: Collection[str] = ()
     texts = with_angles([line.text[: MAX_LENGTH + 1] for line in typed[:MAX_LINES]], problem)
     of_question = {*letters_of_question(problem), *declared}
     plains = [plain(without_steady_motion(text, of_question)) for text in texts]
-    usage = usage_of([line.text for line in plains], problem)
+    # The a of (a) is no letter of the working.
+    without_parts = [line.text[part_of(line.text, problem)[1] :] for line in plains]
+    usage = usage_of(without_parts, problem)
     plains = list(with_owners(plains, problem, {*usage.letters, *declared}))
     aliases = {letter: meant for letter, meant in usage.aliases.items() if letter not in declared}
     aliases |= {
