@@ -8,6 +8,11 @@ import json
 import pytest
 from commands import run
 
+from restitution.cli import marking
+from restitution.cli.asking import Answer
+from restitution.cli.marking import Scripts
+from restitution.export.marking import Workings
+
 QUESTION = """sphere A: mass 2, velocity 3i + 2j
 sphere B: mass 4, velocity -i + j
 A hits B: along i, e = 1/2
@@ -49,6 +54,22 @@ def test_several_parts_are_an_object_a_line(folder):
     status, out, _ = run("mark", "pair.impact", "-", "--format", "json", stdin=typed, cwd=folder)
     assert status == 0
     assert [json.loads(line)["part"] for line in out.splitlines()] == ["a", "b"]
+
+
+def test_each_script_of_a_folder_has_the_time_of_one(folder, monkeypatch):
+    limits = []
+
+    def answered(worker, file, job, limit):
+        limits.append(limit)
+        return Answer(0, "")
+
+    monkeypatch.setattr(marking, "answer", answered)
+    task = Workings((), (), None, "", 1, "csv", 80)
+    for working in ("scripts/ann.txt", "scripts"):
+        scripts = Scripts(str(folder / "pair.impact"), str(folder / working), None, task)
+        marking.mark(None, scripts, 10.0)
+    marking.mark(None, scripts, None)
+    assert limits == [10.0, 20.0, None]
 
 
 def test_a_folder_is_one_table(folder):

@@ -820,7 +820,7 @@ def test_sine_for_cosine_in_restitution_alone_is_no_method(momentum: str, state:
     assert states(EXCHANGED, lines, letters)[2] == state
 
 
-TURNED = """
+TANGENTS = """
 wall W: along i
 sphere S: mass m, velocity u at alpha to W
 given tan(alpha) = 3/4
@@ -836,7 +836,7 @@ def test_the_angles_of_a_wrong_deflection_have_a_method_of_their_own() -> None:
     for sign, points in (("-", "earned lost lost"), ("+", "earned earned")):
         value = "10.3" if sign == "-" else "63.4"
         lines = f"β = tan^-1(1/2) = 26.6\nα = 36.9\ndeflection = 36.9 {sign} 26.6 = {value}"
-        marking = restitution.mark(restitution.parse(TURNED), lines, part="b")
+        marking = restitution.mark(restitution.parse(TANGENTS), lines, part="b")
         found = [each["state"] for each in marking.json()["marks"]["points"]]
         assert found == points.split()
 
@@ -1312,3 +1312,24 @@ def test_a_mistake_that_is_named_tells_its_id_once():
     assert str(shown).count("Mistake: restitution-omitted.") == 1
     shown = restitution.mark(restitution.parse(MISTAKES), "v cos b = 17cos a\nv sin b = 8", hints=2)
     assert "restitution-omitted" not in str(shown)
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "w = 2\nw = sqrt(4 - 9)",
+        "deflection = 42.3\ndeflection = arccos(34/26)",
+        "w = sqrt(-1) i + 2j\nw = 3i",
+        "speed = 5\nspeed = 1/0",
+    ],
+)
+def test_a_value_that_is_no_number_is_false_and_the_rest_is_marked(typed):
+    ball = "wall W: along i\nsphere P: velocity 12i - 5j\nP hits W: e = 1/3\nfind deflection(P)"
+    (*_, last) = restitution.mark(solution(ball), f"{typed}\nv = 12i + 5/3 j").lines
+    assert last.verdict == "true"
+
+
+def test_a_question_that_asks_nothing_is_not_marked():
+    asks_nothing = "wall W: along i\nsphere P: velocity 5i - 3j\nP hits W: e = 1/2"
+    with pytest.raises(restitution.MissingError, match="find velocity"):
+        restitution.mark(restitution.parse(asks_nothing), "v = 5i")

@@ -36,7 +36,8 @@ class Scripts:
 def mark(worker: Worker, scripts: Scripts, limit: float | None) -> Answer:
     """The workings marked. What cannot be read has the status of that. Raises RefusedError.
 
-    A script of a folder that cannot be read does not stop the others.
+    A script of a folder that cannot be read does not stop the others. The ``limit`` is in seconds
+    for each script.
     """
     task = scripts.task
     unread: list[str] = []
@@ -48,7 +49,8 @@ def mark(worker: Worker, scripts: Scripts, limit: float | None) -> Answer:
             task = replace(task, workings=tuple(_workings(scripts.working, unread)))
     except StatementError as error:
         return Answer(UNREADABLE, None, (error.message,))
-    done = answer(worker, scripts.question, Marking(task), limit)
+    whole = None if limit is None else limit * max(1, len(task.workings))
+    done = answer(worker, scripts.question, Marking(task), whole)
     if not unread:
         return done
     return Answer(UNREADABLE, done.content, (*unread, *done.messages))

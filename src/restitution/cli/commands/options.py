@@ -44,7 +44,7 @@ Mistake = Annotated[
     typer.Option(
         "--as",
         metavar="ID",
-        help="In the world of a mistake, by id or title; restitution mistakes lists them.",
+        help="In the world of a mistake, by its id; restitution mistakes lists them.",
     ),
 ]
 _F = TypeVar("_F", bound=StrEnum)

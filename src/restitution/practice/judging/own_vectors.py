@@ -107,7 +107,7 @@ def _vector(tree: Expression, world: World) -> tuple[float, float] | None:
 
 def _ratio(one: tuple[float, float] | None, other: tuple[float, float] | None) -> Fraction | None:
     """The ratio of two vectors along one line."""
-    if one is None or other is None or not all(other):
+    if one is None or other is None or not all(other) or not np.all(np.isfinite([one, other])):
         return None
     if abs(one[0] * other[1] - one[1] * other[0]) > _NEAR:
         return None

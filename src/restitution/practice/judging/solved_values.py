@@ -109,6 +109,8 @@ def _factor(entry: Entry, world: World) -> Fraction | None:
     if not np.all(np.abs(given)):
         return None
     ratio = true / given
+    if not np.all(np.isfinite(ratio)):
+        return None  # the root of a negative number has no value
     near = Fraction(float(ratio.flat[0])).limit_denominator(_MOST)
     same = np.all(np.abs(ratio - float(near)) <= _SAME * np.abs(ratio))
     return near if near and same else None

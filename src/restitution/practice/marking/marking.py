@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from restitution.errors import RestitutionError, StatementError, require
+from restitution.errors import MissingError, RestitutionError, StatementError, require
 from restitution.explaining.mistakes.consequences import altered_world
 from restitution.explaining.mistakes.misconceptions import alteration
 from restitution.expression.tree import Expression
@@ -69,8 +69,8 @@ def mark(
     all lines or by line (None: for the next step).
 
     Raises TypeError for what is no question, KeyError for a part that is not there, StatementError
-    for a meaning that cannot be read,
-    and the error of a question that has no answer.
+    for a meaning that cannot be read, MissingError where nothing is asked, and the error of a
+    question that has no answer.
     """
     solution = _solved(question, "mark")
     script = read_working(working, solution.problem, letters or ())
@@ -131,6 +131,8 @@ def _marked(
     error = solved.error or (without[0] if len(without) == len(solved.items) > 0 else None)
     if error is not None:
         raise error
+    if not solved.items:
+        raise MissingError("nothing is asked: a line such as 'find velocity(A)' would ask for it")
     meanings = _meanings(letters or {}, solution.problem)
     judgement = judge_part(bench.solution, script, part, meanings, judged)
     judgement = _with_consequence(judgement, solution, part)
