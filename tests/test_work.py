@@ -108,9 +108,9 @@ def test_the_story_of_plain_numbers_is_told_once_exactly_and_once_in_numbers(mon
     exact = []
     begin = Story.__init__
 
-    def counted(self, problem, part, arithmetic, *rest):
+    def counted(self, problem, part, arithmetic, *rest, **named):
         exact.append(arithmetic.exact)
-        begin(self, problem, part, arithmetic, *rest)
+        begin(self, problem, part, arithmetic, *rest, **named)
 
     monkeypatch.setattr(Story, "__init__", counted)
     solution = r.solve(r.parse(CORNER))

@@ -204,10 +204,8 @@ class ChainsInFigures:
         return put
 
     def _outcome_below(self, line: Line, link: Link) -> Expression | None:
-        """What a vector comes to in the line below, which only works it out; None of another."""
-        lines = self._derivation.lines
-        below = lines[lines.index(line) + 1 :][:1] if is_vector(link.left) else ()
-        for own in below:
+        """What a vector comes to in a line that only works it out; None of another."""
+        for own in self._derivation.lines if is_vector(link.left) else ():
             if own.move.id == "rearrange" and own.premises == (line.number,):
                 match own.relation:
                     case Relation(((Link(link.left), *_) as worked,)):
