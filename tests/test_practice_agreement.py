@@ -184,3 +184,18 @@ def test_the_direction_of_a_line_is_told_by_any_vector_along_it() -> None:
 def test_what_is_beyond_numbers_agrees_with_nothing(text: str) -> None:
     line, decimals = claim(text)
     assert agrees(line, world_of(WALL), OF_WALL, decimals) is None
+
+
+def test_a_rounded_term_is_no_datum_of_the_same_number() -> None:
+    # 3 cos 48° = 2.007, and 2 is a mass.
+    statement = """
+        sphere A: mass 2, velocity 5 at 30°
+        sphere B: mass 3, velocity 3 at 132°
+        A hits B: along i, e = 1/2
+        find velocity(A)
+    """
+    world = world_of(statement)
+    separation = "along(velocity(B), i) - along(velocity(A), i)"
+    for text, grade in (("4.33 + 2.0", "coarse"), ("4.33 + 2", None), ("4.33 + 2.2", None)):
+        line, decimals = claim(f"{separation} = ({text})/2")
+        assert agrees(line, world, {}, decimals) == grade, text

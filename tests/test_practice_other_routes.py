@@ -273,3 +273,33 @@ def test_the_tangent_of_an_angle_in_words() -> None:
     statement = "wall W: along 3i + 4j\nsphere S: mass 2, velocity 7i + j\nS hits W: e = 3/5\n"
     lines = ("tan of wall angle = 4/3", "tan of angle to wall after = 3/5")
     assert verdicts(f"{statement}find velocity(S)", *lines) == ["true"] * 2
+
+
+TWO_WALLS = (
+    "wall X: along j\nwall U: along i\nsphere Q: mass 2, velocity 8i + 12j\n"
+    "Q hits X: e = 1/2\nQ hits U: e = 1/4\nfind velocity(Q, 1), velocity(Q), speed(Q)\n"
+)
+
+
+def test_letters_of_the_end_are_those_of_the_event_of_a_heading() -> None:
+    letters = {"p": "along(velocity(Q), i)", "q": "along(velocity(Q), j)", "U": "speed(Q)"}
+
+    def marked(*lines: str) -> tuple[list[str], int]:
+        marking = restitution.mark(solution_of(TWO_WALLS), list(lines), letters=letters)
+        return [line["verdict"] for line in marking.json()["lines"]], marking.marks.earned
+
+    # U is the name of a wall, and a letter where it has a value.
+    right = ("after X: p = -4, q = 12", "after U: p = -4, q = -3", "U = √(16 + 9) = 5")
+    assert marked(*right) == (["true"] * 3, 8)
+    assert marked("after X: p = 4, q = 12")[0] == ["false"]
+    assert marked("after U: p = -4, q = 12")[0] == ["false"]
+
+
+def test_components_before_and_after_are_products_with_a_whole_vector() -> None:
+    # Along 3i + j the components are 10/√10 and 5/√10.
+    statement = (
+        "wall W\nsphere P: mass 1, velocity 3i + j\nP hits W\n"
+        "given velocity(P) = -1.5i - 0.5j\nfind e"
+    )
+    assert verdicts(statement, "components: before 10, after 5") == ["true"]
+    assert verdicts(statement, "comps 10 before, 4 after") == ["false"]

@@ -52,6 +52,7 @@ from restitution.practice.judging.other_forms import (
     after_later_events,
     by_components,
     by_energies,
+    kind_of,
     with_across_exchanged,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming
@@ -395,6 +396,23 @@ class Following(NearlyTrue):
                         sources, own = sources_of(other, self.entries), ((left.name, later),)
                         return JudgedLink("follows", claim, grade, sources, meant=own)
         return None
+
+    def _at_heading(self, claim: Claim, line: ScriptLine) -> Claim:
+        """A false claim, its label at the event of the heading, if it is taken for another's.
+
+        So is a letter that has a value from before that event: ``kick: v = i - j``.
+        """
+        event = line.scope.event
+        if event is None or not isinstance(claim.left, Letter):
+            return claim
+        own = self.meanings(line.number).get(claim.left.name)
+        if not is_phrase(claim.left.name):
+            again = own is not None and self._has_value(claim.left, line)
+            later = after_later_events(own, event) if own is not None and again else ()
+            return replace(claim, left=next(reversed(list(later)), claim.left))
+        meant = self._meanings_of(claim.left.name, event)
+        same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
+        return claim if own in meant or not same else replace(claim, left=same[0])
 
     def _has_value(self, letter: Letter, line: ScriptLine) -> bool:
         """Whether a line above gives a letter its value."""

@@ -36,6 +36,7 @@ from restitution.practice.judging.judged_link import (
     Question,
 )
 from restitution.practice.judging.other_forms import (
+    after_earlier_event,
     are_alike,
     as_vectors,
     has_bars,
@@ -324,6 +325,24 @@ class Holding:
                     if grade != "coarse":
                         return best
         return best
+
+    def _at_event_of_heading(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A letter of what is at the end, as it is at an earlier event: ``after W: x = 9``."""
+        event = line.scope.event
+        if event is None:
+            return None
+        for claim in link.readings:
+            if not isinstance(claim.left, Letter) or claim.sign != "=":
+                continue
+            own = self.meanings(line.number).get(claim.left.name)
+            meant = after_earlier_event(own, event) if own is not None else None
+            if meant is None:
+                continue
+            other = replace(claim, left=meant)
+            grade = self._best_accuracy(other, self.worlds, line, link)
+            if grade is not None:
+                return JudgedLink("true", other, grade, meant=((claim.left.name, meant),))
+        return None
 
     def _is_asked_otherwise(self, meant: Expression, label: Letter) -> bool:
         """Whether a label names the impulse on a body, which is asked as a vector, by its size."""

@@ -421,11 +421,23 @@ def after_later_events(tree: Expression, last: int) -> Iterator[Expression]:
     }
     for now in stages if len(stages) == 1 else ():
         for later in range(now + 1, last + 1):
+            yield _moved(tree, now, later)
 
-            def moved(node: Expression, now: int = now, later: int = later) -> Expression:
-                match node:
-                    case Quantity(kind, arguments, stage) if stage == now:
-                        return Quantity(kind, arguments, later)
-                return node
 
-            yield rebuilt(tree, moved)
+def after_earlier_event(tree: Expression, event: int) -> Expression | None:
+    """A quantity after a later event as it is after this one; None for what is not later."""
+    stages = {node.stage for node in walk(tree) if isinstance(node, Quantity)}
+    later = {stage for stage in stages if isinstance(stage, int) and stage > event}
+    return _moved(tree, later.pop(), event) if len(later) == 1 else None
+
+
+def _moved(tree: Expression, now: int, then: int) -> Expression:
+    """A quantity with what it takes after one event taken after another."""
+
+    def put(node: Expression) -> Expression:
+        match node:
+            case Quantity(kind, arguments, stage) if stage == now:
+                return Quantity(kind, arguments, then)
+        return node
+
+    return rebuilt(tree, put)

@@ -51,7 +51,6 @@ from restitution.practice.judging.judged_link import (
 )
 from restitution.practice.judging.listed import as_components
 from restitution.practice.judging.other_forms import (
-    after_later_events,
     is_to_a_line,
     kind_of,
     label_in,
@@ -592,7 +591,8 @@ class Judge(Unlabelled):
         if held is not None:
             if (later := self._at_a_later_moment(line, link)) is not None:
                 return later
-            accuracy, claim = held
+            then = self._at_event_of_heading(line, link)
+            accuracy, claim = held if then is None else (then.accuracy or held[0], then.claim)
             if claim.sign != "=" and claim != link.readings[0] and self.wrong:
                 # An inequality may be true by chance, in a reading that nobody means.
                 plainly = self._bounded(line, replace(link, readings=link.readings[:1]))
@@ -609,13 +609,21 @@ class Judge(Unlabelled):
             if not grounded:
                 self._groundless.add(line.number)
                 his_own = bool(students) and self._holds(link, line, students) is not None
+            meant = () if then is None else then.meant
             return JudgedLink(
-                verdict, claim, accuracy, remark=remark, grounded=grounded, his_own=his_own
+                verdict,
+                claim,
+                accuracy,
+                remark=remark,
+                grounded=grounded,
+                his_own=his_own,
+                meant=meant,
             )
         return (
             self._root(line, link)
             or (self._in_own_worlds(line, link) if self._is_of_asked_angle(line, link) else None)
             or self._relabelled(line, link, self.worlds, "true")
+            or self._at_event_of_heading(line, link)
             or self._of_unnamed_angle(line, link, self.worlds, "true")
             or self._of_other_root(line, link)
             or self._nearly(line, link)
@@ -680,20 +688,3 @@ class Judge(Unlabelled):
         if missing:
             return JudgedLink("asks", first, letters=frozenset(missing))
         return JudgedLink("unread", first, remark=fault)
-
-    def _at_heading(self, claim: Claim, line: ScriptLine) -> Claim:
-        """A false claim, its label at the event of the heading, if it is taken for another's.
-
-        So is a letter that has a value from before that event: ``kick: v = i - j``.
-        """
-        event = line.scope.event
-        if event is None or not isinstance(claim.left, Letter):
-            return claim
-        own = self.meanings(line.number).get(claim.left.name)
-        if not is_phrase(claim.left.name):
-            again = own is not None and self._has_value(claim.left, line)
-            later = after_later_events(own, event) if own is not None and again else ()
-            return replace(claim, left=next(reversed(list(later)), claim.left))
-        meant = self._meanings_of(claim.left.name, event)
-        same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
-        return claim if own in meant or not same else replace(claim, left=same[0])

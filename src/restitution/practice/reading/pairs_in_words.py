@@ -15,7 +15,7 @@ COMPONENTS = re.compile(
     re.IGNORECASE,
 )
 _LABEL = (
-    r"((?:perp\w*|para?\w*|along|speed|KE|[xyij])"
+    r"((?:components?|comps?|perp\w*|para?\w*|along|speed|KE|[xyij])"
     r"(?:\s+(?:components?|comps?|cpt|(?:to\s+)?(?:the\s+)?(?:wall|[A-Z]{1,2})))?)"
 )
 _FIGURES = r"(\d[\d.]*)"
@@ -62,10 +62,17 @@ def moment_behind(match: re.Match[str], _: Problem) -> str:
     return f"{start or ''}{label} {stage} = {value}"
 
 
-def before_and_after(match: re.Match[str], _: Problem) -> str:
-    """What a label is worth before an impact, and after it."""
+def before_and_after(match: re.Match[str], problem: Problem) -> str:
+    """What a label is worth before an impact, and after it.
+
+    Of the components of one sphere that perpendicular to the wall changes.
+    """
     label, *values = match.groups()
     before, after = (value for value in values if value)
+    if label.startswith("comp"):
+        if len(problem.spheres) > 1 or before == after:
+            return match[0]
+        label = "perp component"
     axis = _AXES.get(label, label)
     label = f"{axis} component" if axis in ("i", "j") else label
     return f"{label} before = {before}, {label} after = {after}"

@@ -60,6 +60,10 @@ _SECONDS = ("sec", "secs")
 _DEGREES = re.compile(r"°|deg(?:rees?|s)?\b|degress?\b")
 _RADIANS = re.compile(r"rads?\b|radians?\b|\^c\b")
 _PERCENT = re.compile(r"%|per\s?cent\b")
+# Letters that people take for a speed or an impulse, also where a wall has the name.
+_SPEEDS_AND_IMPULSES = frozenset("UVIJ")
+_BEGINS_A_SIDE = re.compile(r"(?:^|[=,;:]|\b(?:so|hence|then|and))\s*$")
+_GOES_ON_AS_A_LETTER = re.compile(r"\s*(?:[=²^]|cos|sin)")
 _INVERSE = re.compile(
     r"inv(?:erse)?\s+(sin|cos|tan)e?(?:\s+of\b)?|(sin|cos|tan)\s?inv(?:erse)?(?:\s+of)?\b",
     re.IGNORECASE,
@@ -368,8 +372,15 @@ class _Scanner:
         if behind and run + behind[0] in names:
             return run + behind[0]
         if run in names and not re.match(r"[_0-9]", self.text[end : end + 1]):
-            return run
+            return "" if self._is_speed_of_a_name(run, end) else run
         return ""
+
+    def _is_speed_of_a_name(self, run: str, end: int) -> bool:
+        """Whether the name of a wall is a letter here: ``V = √(36 + 16)``, ``V² = 52``."""
+        if run not in self.usage.walls or run not in _SPEEDS_AND_IMPULSES:
+            return False
+        begins = _BEGINS_A_SIDE.search(self.text[: self.offset]) is not None
+        return begins and _GOES_ON_AS_A_LETTER.match(self.text, end) is not None
 
     def _word(self, run: str, low: str, end: int, gap: int) -> None:
         if low in _AMOUNTS:

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_binary,
+    unsigned,
     unsigned_terms,
     walk,
 )
@@ -272,10 +273,13 @@ def _half_units(
     given = world.plot.known.get("numbers")
     if given is None:
         given = world.plot.known["numbers"] = numbers_of(world.problem)
+    terms = {column_of(term) for side in (claim.left, claim.right) for term in _terms_in(side)}
+    noughts = {decimal.column for decimal in decimals if _has_nought(decimal)} & terms
     numbers = {
         column: node.value
         for node in _numbers((claim.left, claim.right))
-        if (column := column_of(node)) is not None and not _is_half(node, claim, given)
+        if (column := column_of(node)) is not None
+        and (column in noughts or not _is_half(node, claim, given))
     }
     results = {column_of(side) for side in (claim.left, claim.right)}
     fine: dict[int, tuple[float, float]] = {}
@@ -285,10 +289,9 @@ def _half_units(
         if number is None:
             continue
         # A result to three figures, √(0.114² + 2²) = 2.00, may be a datum by chance, and so may
-        # one with a nought behind its point.
-        whole_number = decimal.value.denominator == 1 and decimal.half_unit < _HALF
-        worth = (decimal.figures >= _FINE or whole_number) and decimal.column in results
-        if worth or decimal.value not in given:
+        # one with a nought behind its point, also where it goes on as a term: 2 × 5.4 − 1.0.
+        worth = (decimal.figures >= _FINE or _has_nought(decimal)) and decimal.column in results
+        if worth or decimal.column in noughts or decimal.value not in given:
             chosen = fine if decimal.figures >= _FINE else coarse
             chosen[decimal.column] = float(number), float(decimal.half_unit_of(number))
     for node in whole:
@@ -302,6 +305,20 @@ def _half_units(
 
 def _numbers(sides: Iterable[Expression]) -> Iterator[Number | Degrees]:
     return (node for tree in sides for node in walk(tree) if isinstance(node, Number | Degrees))
+
+
+def _has_nought(decimal: Decimal) -> bool:
+    """Whether a decimal is a whole number with a nought behind its point: 2.0."""
+    return decimal.value.denominator == 1 and decimal.half_unit < _HALF
+
+
+def _terms_in(side: Expression) -> Iterator[Expression]:
+    """The terms of a side and of the sums inside it, and what is squared there."""
+    for node in walk(side):
+        if is_binary(node, "+", "-"):
+            yield from (unsigned(node.left), unsigned(node.right))
+        elif is_binary(node, "^"):
+            yield node.left
 
 
 def _is_half(node: Number | Degrees, claim: Claim, given: Collection[Fraction]) -> bool:
