@@ -271,11 +271,11 @@ find velocity(P, 0)
         ),
         ["(−2𝐢 + 1.5𝐣) N s", "√(2² + 1.5²) = 2.5 N s"],
     ),
-    # 10 = 2(4e + 4).
+    # 15 = 16(1 - e²).
     "an answer of an earlier part stands again": (
         (
             "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W\n"
-            "given impulse = 10\npart a\nfind velocity(P)\npart b\nfind e\n"
+            "given energy_lost = 15\npart a\nfind velocity(P)\npart b\nfind e\n"
             "part c\nfind deflection(P)"
         ),
         [
