@@ -58,7 +58,11 @@ def test_spheres_are_particles_before_a_way_to_a_wall_that_takes_them_so() -> No
         "wall W: along i, through (0, 8)\nsphere A: mass 2, velocity 3i + 4j, at (-3, -4)\n"
         "sphere B: mass 2, at rest, at (0, 0)\nA hits B: along j, e = 1/2\nB reaches W\n"
         "find time(2) - time(1), position(A)\n",
-        ("The spheres are taken as particles.", "t₂ − t₁ = 8/3", "position of A when B reaches W"),
+        (
+            "The spheres are taken as particles.",
+            "t₂ − t₁ = (8 − 0)/3 = 8/3",
+            "position of A when B reaches W",
+        ),
     )
     assert text.count("particles") == 1
 
