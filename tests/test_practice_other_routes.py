@@ -303,3 +303,49 @@ def test_components_before_and_after_are_products_with_a_whole_vector() -> None:
     )
     assert verdicts(statement, "components: before 10, after 5") == ["true"]
     assert verdicts(statement, "comps 10 before, 4 after") == ["false"]
+
+
+def test_a_direction_needs_no_mass() -> None:
+    statement = (
+        "wall K\nsphere P: mass 3, velocity 5i + j\nP hits K\n"
+        "given velocity(P) = 2i + 2j\nfind impulse(P), direction(K)"
+    )
+    change = "impulse = 2i + 2j - 5i - j = -3i + j"
+    assert earned(statement, change, "wall parallel to i + 3j") == (3, 5)
+    assert earned(statement, change, "wall parallel to 3i + j") == (1, 5)
+
+
+def test_a_deflection_by_two_tangents_needs_no_line_above() -> None:
+    statement = (
+        "sphere A: mass 2, velocity 6i + 2j\nsphere B: mass 4, at rest\n"
+        "A hits B: along i, e = 1/4\nfind speed(A), deflection(A)"
+    )
+    turn = "deflection = tan^-1(2/1) - tan^-1(2/6) = 45"
+    # The method and the answer of the speed are lost.
+    assert earned(statement, "speed of A = 1", turn) == (9, 11)
+
+
+GATE = (
+    "title A puck and a kerb\nwall W: along i\nsphere P: mass m, velocity 8 at 60° to W\n"
+    "P hits W: e = 1/2\nfind speed(P), angle(velocity(P), W)"
+)
+
+
+def test_a_speed_at_an_angle_is_both() -> None:
+    # The components are 4 and 2√3.
+    for line in ("5.29 m/s at 40.9° to the kerb", "so 5.29 at an angle of 40.9 degrees to W"):
+        assert earned(GATE, line) == (6, 6), line
+    assert verdicts(GATE, "5.29 at 49.1° to the wall") == ["false"]
+    assert verdicts(GATE, "8 at 60° to the kerb") == ["true"]
+
+
+def test_what_is_solved_is_no_component_of_the_same_letter() -> None:
+    # B has u along j, which stays.
+    statement = (
+        "sphere A: mass 2m, velocity 4u i\nsphere B: mass m, velocity -u i + u j\n"
+        "A hits B: along i\nshow along(velocity(A), i) = u(7 - 5e)/3"
+    )
+    lines = ("8mu - mu = 2mv + mw", "w - v = 5eu", "7u - 5eu = 3v => v = u(7 - 5e)/3")
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    marking = restitution.mark(solution_of(statement), list(lines), letters=letters)
+    assert marking.marks.earned == marking.marks.of

@@ -52,6 +52,7 @@ from restitution.practice.judging.other_forms import (
     after_later_events,
     by_components,
     by_energies,
+    is_difference_of_tangents,
     kind_of,
     with_across_exchanged,
 )
@@ -556,12 +557,13 @@ class Following(NearlyTrue):
         """Whether a true line follows from true lines and laws that are not broken, or is a law.
 
         An equation that is a law, though a mistake above may stand in its place, needs no other,
-        nor does the speed of a body of which a line above gives the component as large.
+        nor does the speed of a body of which a line above gives the component as large, nor a
+        deflection with the tangents of which it comes: δ = tan⁻¹(9/2) − tan⁻¹(3/4).
         """
         firm = [other for other in self.entries if other.number not in self._groundless]
         if self._support.is_grounded(entry, firm, self._forgone()):
             return True
-        if self._is_known_component(entry, firm):
+        if self._is_known_component(entry, firm) or is_difference_of_tangents(entry.claim):
             return True
         uses = () if entry.is_value else self.uses_of_entry(entry)[:1]
         return any(use.altered is None and use.principle in _OF_SPHERES for use in uses)

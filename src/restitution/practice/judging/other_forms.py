@@ -120,6 +120,15 @@ def of_known_speeds(claim: Claim, world: World) -> Iterator[Claim]:
             yield from (Claim(one, "=", other) for one, other in dict.fromkeys(forms))
 
 
+def is_difference_of_tangents(claim: Claim) -> bool:
+    """Whether a side is a sum or a difference of two angles by their tangents."""
+    return any(
+        is_binary(side, "+", "-")
+        and all(is_function(unsigned(part), "arctan") for part in (side.left, side.right))
+        for side in (claim.left, claim.right)
+    )
+
+
 def as_vectors(claim: Claim, meanings: Meanings) -> Claim:
     """A claim that equates a letter for a component with a vector, of the velocity in its place."""
     meant = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else None

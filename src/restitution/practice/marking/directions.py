@@ -83,8 +83,11 @@ class Directions(LineContents):
                 for value in line.line.values
             )
         if link.sign == "parallel to":
-            vectors = (*line.line.values, *_vectors_of(line, whole=point.letter == "M"))
-            return line.verdict in (*SOUND, "remark") and any(
+            method = point.letter == "M"
+            vectors = (*line.line.values, *_vectors_of(line, whole=method))
+            # A change of velocity without the mass has the direction of the impulse.
+            massless = method and line.mistake is not None and line.mistake.id == "mass-omitted"
+            return (massless or line.verdict in (*SOUND, "remark")) and any(
                 self._is_towards(value, link, line) for value in vectors
             )
         if self.is_time(point) and not _SECONDS.search(line.line.text):

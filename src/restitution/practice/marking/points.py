@@ -13,6 +13,7 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
+from restitution.practice.judging.other_forms import is_difference_of_tangents
 from restitution.practice.marking.grounds import (
     LAWS,
     OF_ANGLES,
@@ -175,7 +176,11 @@ class _Examiner(SinglePoints):
                 if point.equation and self._is_of_unknown(state.point, line):
                     continue  # a letter for a component needs no value of it
                 if state.line is not None and self._is_wrong(state.line):
-                    continue
+                    # A tangent has the component that stays, whatever a speed leaves out.
+                    wrong = self._line(state.line)
+                    named = wrong is None or has_name(wrong)
+                    if named or state.point.letter != "B" or not _is_by_tangents(line):
+                        continue
                 if whole and state.point.principle in (*_RESOLVING, "impulse", "speed"):
                     continue  # an energy by whole speeds needs none of these
                 why = f"line {own.line} cannot be had without it"
@@ -426,7 +431,13 @@ class _Examiner(SinglePoints):
             return False
         solved = self.values.is_solved(line) or self.values.is_place(mark.point)
         solved = solved or (mark.point.item is not None and self.values.is_distance(mark.point))
+        solved = solved or (self.values.is_pointing(mark.point) and self._has_pointing(mark.point))
+        solved = solved or (mark.point.item is not None and _is_by_tangents(line))
         return line.verdict == "true" and line.grounded and solved
+
+    def _has_pointing(self, point: MarkPoint) -> bool:
+        """Whether the methods for a direction are earned, as they are without the mass."""
+        return all(self.states[name].state == "earned" for name in point.depends)
 
     def _is_wrong(self, number: int) -> bool:
         line = self._line(number)
@@ -606,3 +617,8 @@ class _Examiner(SinglePoints):
             and self.values.matches(mark.point, line) == "true"
             for line in self.lines
         )
+
+
+def _is_by_tangents(line: JudgedLine) -> bool:
+    """Whether a line works out an angle from two others by their tangents."""
+    return any(is_difference_of_tangents(link.readings[0]) for link in line.line.links)

@@ -61,6 +61,12 @@ AT_A_SPEED = re.compile(
     rf"(?:\bdistance\s+(?:(?:of|is)\s+)?)?(?<![\w.])(\d[\d./]*)(?:\s*(s|secs?|seconds?))?(?![\w/.])[^=<>\d,;]*\bat\s+{_SPEED}\s*"
     r"(?:=|is|takes?)\s*(?=\d)"
 )
+# A velocity by its size and direction: ``7.12 m/s at 25.5° to the gate``.
+SPEED_AT_AN_ANGLE = re.compile(
+    r"^\s*((?:so|hence|therefore|∴)\s+)?(?:(?:the\s+)?(?:speed|velocity)\s*(?:is\s+|[=:]\s*)?)?"
+    r"(\d[\d.]*)\s*(?:m\s?/\s?s|m\s?s\s?(?:\^?-1|⁻¹))?,?\s+at\s+(?:an?\s+angle\s+(?:of\s+)?)?"
+    r"(\d[\d.]*)\s*(?:°|deg(?:ree)?s?)?\s+(?:to|with|from)\s+(?:the\s+)?([A-Za-z]+)\s*\.?\s*$"
+)
 SETS_OFF = re.compile(
     r"\b([A-Z])\s+(?:goes|moves|sets|travels|flies|shoots)(?:\s+(?:off|away|on|out))?\s+"
     r"(?:at|with)\s+(?:an?\s+)?(speed\s+(?:of\s+)?)?"
@@ -118,6 +124,17 @@ ENERGIES_ALONG = re.compile(
     re.IGNORECASE,
 )
 _LOSS = re.compile(r"\b(?:lost|loss|loses)\b", re.IGNORECASE)
+
+
+def speed_at_an_angle(match: re.Match[str], problem: Problem) -> str:
+    """The speed and the angle to the only wall, which has its name or that of the title."""
+    start, speed, angle, noun = match.groups()
+    walls = [wall.name for wall in problem.walls]
+    title = {word.lower() for word in _WORD.findall(problem.title or "")}
+    known = noun in walls or noun.lower() in {"wall", "cushion", "barrier", *title}
+    if len(walls) != 1 or len(problem.spheres) != 1 or not known:
+        return match[0]
+    return f"{start or ''}speed = {speed}, angle to wall = {angle}"
 
 
 def at_a_speed(match: re.Match[str], _: Problem) -> str:

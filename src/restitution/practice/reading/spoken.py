@@ -405,6 +405,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (amounts.ENERGY_CHANGES_BY, amounts.energy_changes_by),
     (amounts.ENERGIES_ALONG, amounts.energies_along),
     (amounts.KEEPS, amounts.keeps),
+    (amounts.SPEED_AT_AN_ANGLE, amounts.speed_at_an_angle),
     (amounts.AT_A_SPEED, amounts.at_a_speed),
     (amounts.SETS_OFF, amounts.sets_off),
     (amounts.IS_A_SHARE, amounts.is_a_share),

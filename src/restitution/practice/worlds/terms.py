@@ -288,7 +288,8 @@ class _Match:
         """Whether each term moves with that of the law in loose states, or not at all.
 
         One may move otherwise, as a fact may give it by another one; but of two only where the law
-        is not the same number in all samples.
+        is not the same number in all samples, and no sum: u − 8eu = 3v is solved for v, whatever
+        component that stays is u.
         """
         strays = 0
         for mask, (_, loose) in zip(masks, self.terms, strict=True):
@@ -296,7 +297,10 @@ class _Match:
             size = np.abs(wanted) + np.abs(self.sums[mask])
             moves = np.abs(free - wanted) <= self.near * size
             stays = np.abs(free - self.sums[mask]) <= self.near * size
-            strays += not (np.all(moves) or np.all(stays))
+            strayed = not (np.all(moves) or np.all(stays))
+            if strayed and len(self.terms) == 2 and mask.bit_count() > 1:
+                return False
+            strays += strayed
         return strays <= (len(self.terms) > 2 or bool(np.ptp(self.terms[0][0]) > _NOTHING))
 
 
