@@ -7,7 +7,15 @@ from functools import partial
 
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Line, Link, Meaning, Ref, Relation
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.formulas.impacts import momentum, rebound, restitution, unchanged
@@ -21,7 +29,7 @@ from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError, 
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.problem import Item, Problem, Range, Show, Value, trees_of_relation
+from restitution.problem import Item, Meets, Problem, Range, Show, Value, trees_of_relation
 from restitution.solving.equations.solution import ItemResult
 
 
@@ -112,6 +120,11 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
         return None
     try:
         match item:
+            case Show(Meets(Name(one), Name(other)), None) if not {one, other} & {
+                wall.name for wall in problem.walls
+            }:
+                # What was not written out of a meeting may be by way of a wall: words say it.
+                return None
             case Show(relation, None) if result.holds:
                 links = links_of(problem, relation, now)
                 return Relation((links,)) if links else None

@@ -579,11 +579,16 @@ class FactsOf(Arrangement):
     ) -> Link | None:
         """Two that have met meet again if the one behind is the faster.
 
-        None where they have not met: who is ahead is not plain then.
+        None where they have not met: who is ahead is not plain then. None too where nothing has
+        happened to them since they met, and one has hit a wall: they separate, and meet again
+        only by way of that.
         """
         pair = tuple(tree.name for tree in (first, second) if isinstance(tree, Name))
         met = [e for e in self.events[:events] if set(e.bodies) == set(pair)]
         if not met:
+            return None
+        own = [e for e in self.events[:events] if set(e.bodies) & set(pair)]
+        if happens and own[-1] is met[-1] and not met[-1].wall and any(e.wall for e in own):
             return None
         axis = Quantity("line_of_centres", (), met[-1].number)
         behind, ahead = (

@@ -67,6 +67,7 @@ from restitution.problem import (
     Show,
     trees_of_relation,
 )
+from restitution.solving.equations.facts import comes_back
 from restitution.solving.equations.solution import ItemResult
 from restitution.vector import Vector
 
@@ -382,6 +383,9 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             links = links_of(scene.problem, item.relation, now)
             if not links:
                 return _first_meeting(claims, item.relation, now)
+            one, other = item.relation.first.name, item.relation.second.name
+            if not item.relation.happens and comes_back(scene.model.story, one, other, now):
+                raise NotPlannedError("that spheres separate is not enough: one may come back")
             return Comparison(claims).write(links[0])
         case AtRest(body):
             quantity = staged(scene.problem, Quantity("velocity", (body,)), now)

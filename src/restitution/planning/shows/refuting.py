@@ -42,6 +42,7 @@ from restitution.planning.writing.forms import UnwrittenError, product, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
+from restitution.solving.equations.facts import comes_back
 from restitution.solving.equations.solution import ItemResult
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -105,12 +106,15 @@ class _Refutation:
             return
         relation = self.item.relation
         with Claims(self.scene, self.solver) as claims:
-            if isinstance(relation, Meets) and self.links and not self.numbers:
+            if isinstance(relation, Meets) and not self.numbers:
                 other = replace(relation, happens=not relation.happens)
-                (link,) = links_of(self.scene.problem, other, self.now)
-                line, _ = Comparison(claims).write(link)
-                self.note((line,))
-                return
+                names = relation.first.name, relation.second.name
+                returns = relation.happens and comes_back(self.scene.model.story, *names, self.now)
+                links = () if returns else links_of(self.scene.problem, other, self.now)
+                for link in links:
+                    line, _ = Comparison(claims).write(link)
+                    self.note((line,))
+                    return
             trees = list(self._trees())
             lines: list[int] = []
             rest = list(trees)

@@ -253,11 +253,7 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
         if _leave_their_line(story, event, one, other, now) and _placed(story, event, now):
             return _met_by_places(relation, story, now, reason, refused)
         conditions = [_approach(story, event, one, other, now)]
-        rebounds = [
-            rebound
-            for pair in ((one, other), (other, one))
-            for rebound in _rebound(story, event, *pair, now)
-        ]
+        rebounds = _rebounds(story, event, one, other, now)
         if rebounds:
             return _met_after_a_rebound(relation, story, conditions[0], rebounds, reason, refused)
     if relation.happens:
@@ -270,6 +266,22 @@ def _approach(story: Story, event: Happening, one: str, other: str, stage: int) 
     """The speed of approach after event ``stage``, along the line of centres of a given one."""
     towards = event.oriented() if event.bodies[0] == one else -event.oriented()
     return (story.velocity(one, stage) - story.velocity(other, stage)).dot(towards)
+
+
+def comes_back(story: Story, one: str, other: str, now: int) -> bool:
+    """Whether one of two spheres that met may come back to the other from a wall on their line."""
+    if {one, other} & set(story.walls):
+        return False
+    met = [h for h in story.happenings[:now] if {one, other} == set(h.bodies)]
+    return bool(met) and bool(_rebounds(story, met[-1], one, other, now))
+
+
+def _rebounds(
+    story: Story, event: Happening, one: str, other: str, now: int
+) -> list[tuple[Scalar, Scalar]]:
+    """The rebounds, of either of two spheres, by which they may meet again."""
+    pairs = ((one, other), (other, one))
+    return [rebound for pair in pairs for rebound in _rebound(story, event, *pair, now)]
 
 
 def _rebound(
