@@ -122,8 +122,7 @@ def _in_roots(value: Expr) -> Expr | None:
     None of another number.
     """
     ratios = value.atoms(sympy.sin, sympy.cos)
-    turns = [degrees.turns_of(ratio.args[0]) for ratio in ratios]
-    if not _roots(value) or any(turn is None or turn.denominator != 12 for turn in turns):
+    if not (_roots(value) and all(degrees.has_sums_of_surds(ratio.args[0]) for ratio in ratios)):
         return None
     put = {ratio: degrees.function_of(ratio)(ratio.args[0]) for ratio in ratios}
     return tidy_number(sympy.expand(value.xreplace(put)))

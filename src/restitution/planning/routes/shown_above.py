@@ -167,15 +167,21 @@ def _by_its_result(scene: Scene, solver: Solver, asked: Expression) -> int | Non
 
 def _results(scene: Scene, asked: Expression) -> Iterator[tuple[int, Expression]]:
     """The lines that were to be shown of what is asked, in letters with one of the motion."""
+    for line, own in _shown(scene):
+        named = any(_named(scene, name) is not None for name in letters(own.right))
+        if own.left == asked and named:
+            yield line, own.right
+
+
+def _shown(scene: Scene) -> Iterator[tuple[int, Link]]:
+    """The lines of the equations that were to be shown, in letters on the right; the last first."""
     desk = scene.desk
     for end in reversed(desk.ends):
         if not end.shown or not desk.holds(end.line) or len(desk.relation(end.line).options) > 1:
             continue
         own = desk.last_link(end.line)
-        if (own.left, own.sign) != (asked, "=") or has_quantity(own.right):
-            continue
-        if any(_named(scene, name) is not None for name in letters(own.right)):
-            yield end.line, own.right
+        if own.sign == "=" and not has_quantity(own.right):
+            yield end.line, own
 
 
 def _named(scene: Scene, name: str) -> Quantity | None:
@@ -255,14 +261,10 @@ def _results_given(
     scene: Scene, given: GivenEquation
 ) -> Iterator[tuple[int, Expression, Expression]]:
     """The lines that were to be shown of what a fact gives, its value, and the result."""
-    desk = scene.desk
-    for end in reversed(desk.ends):
-        if not end.shown or not desk.holds(end.line) or len(desk.relation(end.line).options) > 1:
-            continue
-        own = desk.last_link(end.line)
+    for line, own in _shown(scene):
         share = _share(given.link, own.left)
-        if own.sign == "=" and share is not None and not has_quantity(own.right):
-            yield end.line, share, own.right
+        if share is not None:
+            yield line, share, own.right
 
 
 def _share(link: Link, subject: Expression) -> Expression | None:

@@ -21,6 +21,7 @@ from restitution.oracle import (
     Oracle,
     Some,
     Verdict,
+    as_number,
     joined,
     letters_of,
 )
@@ -80,9 +81,7 @@ def _with_lines(outcome: Outcome, trial: Trial) -> list[Trial]:
             return chosen
         if verdict.witness is None:
             break
-        line = {
-            slope: sp.sympify(verdict.witness.get(slope.name, 0), strict=True) for slope in slopes
-        }
+        line = {slope: as_number(verdict.witness.get(slope.name, 0)) for slope in slopes}
         if not all(value.is_Rational for value in line.values()):
             break
     return [trial]

@@ -10,9 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
-import sympy as sp
-
-from restitution.exact.symbols import symbols_in
+from restitution.exact.symbols import expression_of, symbols_in
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name
 from restitution.problem import Wall
@@ -110,9 +108,7 @@ def sides_of_wall(
 def _may_vanish(state: State, speed: Scalar) -> bool:
     """Whether letters let a sphere move parallel to a wall, or stay: nothing divides by it then."""
     unknowns = state.unknowns
-    return isinstance(unknowns, Letters) and not unknowns.proved_sign(
-        sp.sympify(speed, strict=True)
-    )
+    return isinstance(unknowns, Letters) and not unknowns.proved_sign(expression_of(speed))
 
 
 def _no_sphere_first(
@@ -203,7 +199,7 @@ def _proved_sign(state: State, x: Scalar) -> int | None:
     unknowns = state.unknowns
     if not isinstance(unknowns, Letters):
         return state.sign(x)
-    return unknowns.proved_sign(sp.sympify(x, strict=True), state.conditions)
+    return unknowns.proved_sign(expression_of(x), state.conditions)
 
 
 def _no_contact_within(
@@ -222,7 +218,7 @@ def _no_contact_within(
     two radii apart. Who goes ``towards`` a wall may not touch at the end either who is in front.
     """
     values = (*gap, *approach, duration)
-    if not any(symbols_in(sp.sympify(x, strict=True)) for x in values):
+    if not any(symbols_in(expression_of(x)) for x in values):
         return  # a telling in numbers sees it
     if contacts.rests_on(values, ()):
         return  # it is told again with what is found
