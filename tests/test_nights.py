@@ -18,6 +18,12 @@ def test_modules_and_tests_that_are_named_are_there() -> None:
         assert f"def {function}(" in texts[module], name
 
 
+def test_no_law_of_the_house_is_left_to_the_night() -> None:
+    modules = {name.removeprefix("tests/").split(".py::")[0] for name in nights.LONG}
+    assert not nights.LAWS_OF_THE_HOUSE & modules
+    assert all((HERE / f"{name}.py").exists() for name in nights.LAWS_OF_THE_HOUSE)
+
+
 def test_the_night_leaves_some_of_those_that_take_long() -> None:
     assert nights.KEPT < nights.LONG
     assert len(nights.KEPT) == round(len(nights.LONG) / nights.LONG_ONE_IN)
