@@ -785,3 +785,21 @@ def test_a_wall_that_is_turned_from_a_direction_is_told_by_what_that_is(line, pl
     head = "wall W: along 2i - j\nwall X: along j\nwall Y: along i\n"
     one, other = (parse(head + each).walls[-1].along for each in (line, plain))
     assert one == other
+
+
+@pytest.mark.parametrize(
+    ("typed", "other"),
+    [
+        ("-4 at 30°", "4 at 210°"),
+        ("-2u/3 at 200° from i + j", "2u/3 at 20° from i + j"),
+        ("-u at alpha", "u at alpha from -i"),
+        ("-(u at alpha from j)", "u at alpha from -j"),
+        ("-u at alpha to W", "u at 180° + alpha to W"),
+        ("-(-u at 10° to W)", "u at 10° to W"),
+    ],
+)
+def test_a_velocity_of_negative_size_is_one_in_the_opposite_direction(
+    typed: str, other: str
+) -> None:
+    text = "wall W: along i\nsphere P: velocity {}\nP hits W\nfind speed(P)"
+    assert parse(text.format(typed)) == parse(text.format(other))

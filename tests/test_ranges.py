@@ -635,3 +635,16 @@ find range of e
     assert own.value.end == 1
     assert excess(float(own.value.start)) == pytest.approx(0, abs=1e-9)
     assert excess(1) > 0
+
+
+def test_a_root_by_which_a_sphere_is_at_rest_leaves_a_range_to_the_others() -> None:
+    """k = (2 tan φ − 1)/(1 − tan φ), which is more than 0; with k = 0 the sphere comes to no Y."""
+    text = (
+        "wall X: along j, through (2d, 0)\nwall Y: along i, through (0, d)\n"
+        "sphere Q: at (0, -d), velocity w at phi\nQ hits X: e = k\nQ hits Y: e = k\n"
+        "Q reaches (-2d, -d)\ngiven d > 0\nfind range of phi"
+    )
+    ((_, item),) = solve(parse(text)).items()
+    (answer,) = item.answers
+    low, high = answer.value.start, answer.value.end
+    assert (sp.tan(low), sp.tan(high)) == (sp.Rational(1, 2), sp.Rational(2, 3))

@@ -276,3 +276,9 @@ def test_the_sense_along_a_wall_is_said_beside_another_sphere(
     if senses is not None:
         assert shown.count(senses) == 1
         assert shown.index(senses) < shown.index("in the direction of", shown.index(senses) + 60)
+
+
+def test_on_which_side_of_a_wall_an_axis_is_by_the_sense_of_the_angle() -> None:
+    text = "wall W: along i\nsphere P: velocity u at {}alpha to W\nP hits W\nfind velocity(P)"
+    assert "and 𝐣 is away from W." in working(text.format(""))
+    assert "the direction opposite to 𝐢, and 𝐣 is towards W." in working(text.format("180° + "))

@@ -14,7 +14,20 @@ from restitution.errors import StatementError
 from restitution.expression.dimensions import NONE
 from restitution.expression.quantities import dimension_of_any
 from restitution.expression.reading import BUILDERS, Builder, Reading, Span
-from restitution.expression.tree import Expression, Name, Number, Pair, Place, Quantity
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Place,
+    Polar,
+    Quantity,
+    Unit,
+    negated,
+)
 from restitution.expression.units import NAMES
 from restitution.expression.writing import write_expression
 from restitution.mending import Fix, Note
@@ -122,7 +135,32 @@ def _sphere_properties(
 def _sphere_property(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Property:
     key = _SPHERE_FIELDS[spans[0].first.type]
     value = spans[1].value if len(spans) > 1 else Pair(Number(Fraction(0)), Number(Fraction(0)))
-    return key, value, spans[0].place
+    return key, _as_a_speed(value) if key == "velocity" else value, spans[0].place
+
+
+def _as_a_speed(velocity: Expression) -> Expression:
+    """A velocity of negative size as one in the opposite direction: no speed is −4.
+
+    −u at 60° is u at 240°, −u at θ is u at θ from −**i**, −(u at θ) is the same.
+    """
+    match velocity:
+        case Negate(Polar() as polar):
+            return _as_a_speed(replace(polar, size=negated(polar.size)))
+        case Polar(Negate(size), angle, wall=None) if not isinstance(angle, Degrees):
+            origin = negated(velocity.origin or Unit("i"))
+            return replace(velocity, size=size, origin=origin)
+        case Polar(Negate(size), angle):
+            return replace(velocity, size=size, angle=_turned_about(angle))
+    return velocity
+
+
+def _turned_about(angle: Expression) -> Expression:
+    """The angle of the opposite direction."""
+    half = Fraction(180)
+    if isinstance(angle, Degrees):
+        turn = half if angle.value < half else -half
+        return replace(angle, value=angle.value + turn)
+    return Binary("+", Degrees(half), angle)
 
 
 def _wall_properties(

@@ -58,9 +58,9 @@ def by_degrees(
         size = scene.scalar(link.right.size)
     elif initial.x == 0 or initial.y == 0:
         size = initial.x + initial.y
-        size = -size if scene.model.sign(size) < 0 else size
     else:
         return None
+    size = -size if scene.model.sign(size) < 0 else size
     ratio = tidy(value / size) if size != 0 else size
     share = _share_from_the_data(scene, link.right, frame.direction(kind), ratio)
     if share is None:

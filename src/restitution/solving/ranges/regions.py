@@ -17,7 +17,7 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from restitution.errors import RestitutionError, UnsupportedError
+from restitution.errors import ImpossibleError, RestitutionError, UnsupportedError
 from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
@@ -121,12 +121,29 @@ class Region:
         self.setting: Setting = self.outcome.setting
         self.role: Role = self.setting.roles[self.letter]
         self.symbol = self.role.symbol(self.letter)
-        self.trials = [t for t in self.outcome.trials if t.kind != "equation" and _has_values(t)]
+        self.trials = [
+            trial
+            for trial in self.outcome.trials
+            if trial.kind != "equation" and _has_values(trial) and self._can_happen(trial)
+        ]
         self._kept_atoms = self._atoms()
         matter = symbol_names(*self._kept_atoms)
         self.free = tuple(name for name in self.free if name in matter)
         self.critical = self._critical()
         self._chosen: list[dict[sp.Expr, sp.Expr]] = []  # what free letters are at ends
+
+    def _can_happen(self, trial: Trial) -> bool:
+        """Whether a motion can be told with a solution: who is at rest, by e = 0, reaches nothing.
+
+        Where it cannot, the solution is none for any values of the letters.
+        """
+        if trial.samples or self._demands(trial) is not None:
+            return True
+        try:
+            self.setting.tell(Letters(self.setting.roles, trial.root.values, trial.root.angles))
+        except ImpossibleError:
+            return False
+        return True
 
     # --- where truth can change --------------------------------------------------------------
 

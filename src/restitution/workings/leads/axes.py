@@ -45,11 +45,13 @@ def _sense_at_a_wall(scene: Scene, body: str, velocity: Polar) -> Sentence | Non
     if velocity.wall is None and isinstance(velocity.origin, Negate):
         along = Negate(along)
     across, towards = _left(along), velocity.wall is None
-    side = Arrangement(scene.problem).sign(Apply("cos", velocity.angle))
-    if side is None:
+    signs = Arrangement(scene.problem)
+    side, turn = (signs.sign(Apply(ratio, velocity.angle)) for ratio in ("cos", "sin"))
+    if side is None or not turn:
         return None
     if side < 0:
         along = negated(along)
+    towards ^= turn < 0
     if isinstance(across, Negate):
         across, towards = across.operand, not towards
     assert isinstance(across, Unit)
