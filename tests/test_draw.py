@@ -17,6 +17,7 @@ from test_properties import Told, can_happen, examples
 import restitution as r
 from restitution.drawing import figure
 from restitution.drawing import scenes as pictures
+from restitution.drawing.ink import ink, parted
 from restitution.drawing.labels import place
 from restitution.drawing.scene import (
     Arc,
@@ -24,12 +25,14 @@ from restitution.drawing.scene import (
     Line,
     RightAngle,
     Scene,
+    StraightWall,
 )
 from restitution.drawing.velocities import TINY
 from restitution.examples import text
 from restitution.render.text import to_text
 from restitution.solving import Solution
 from restitution.staging.values import motion
+from restitution.vector import Vector
 
 
 def solved(text: str) -> Solution:
@@ -511,6 +514,61 @@ def test_a_component_too_short_to_be_seen_has_no_label() -> None:
     (scene,) = scenes(solved(steep + "find speed(P)"))
     for each in shown(scene):
         assert not any("cos" in label for label in each.labels())
+
+
+def test_an_arrow_longer_than_to_scale_has_its_components_too() -> None:
+    (scene,) = scenes(
+        solved(
+            """
+            sphere A: mass 1, velocity 60i + 80j
+            sphere B: mass 500, velocity -2i - 3j
+            A hits B: along i, e = 1/2
+            find velocity(A), velocity(B)
+            """
+        )
+    )
+    before, after = shown(scene)
+    assert {"2", "3"} <= set(before.labels()) and {"w", "3"} <= set(after.labels())
+
+
+@pytest.mark.parametrize(
+    ("wall", "velocity"),
+    [("25°", "7 at 50°"), ("155°", "8 at 40°"), ("theta", "u at 60°")],
+    ids=["acute", "obtuse", "letter"],
+)
+def test_the_angle_of_a_wall_is_before_it_and_not_among_its_hatching(
+    wall: str, velocity: str
+) -> None:
+    tale = f"wall W: along {wall}\nsphere P: velocity {velocity} to W\nP hits W: e = 1/2\n"
+    before, _ = shown(scenes(solved(tale + "find speed(P)"))[0])
+    (drawn,) = before.of(StraightWall)
+    (arc,) = (
+        a
+        for a in before.of(Arc)
+        if min(length(a.centre - drawn.start), length(a.centre - drawn.end)) < NEAR
+    )
+    (line,) = (x for x in before.of(Line, "across") if length(x.start - arc.centre) < NEAR)
+    assert (line.end - line.start).dot(drawn.far) < 0
+
+
+@pytest.mark.parametrize(
+    ("tale", "angle"),
+    [
+        (text("find-e-at-a-wall"), "30°"),
+        ("wall W: along 40°\nsphere P: velocity u at 70° to W\nP hits W: e = 1/2\n", "70°"),
+        ("wall W: along j\nsphere P: velocity 3 at 12° to W\nP hits W: e = 1\n", "12°"),
+    ],
+    ids=["level", "slanting", "upright"],
+)
+def test_no_component_is_between_an_angle_and_its_arc(tale: str, angle: str) -> None:
+    (scene,) = scenes(solved(tale + "find speed(P)"))
+    (label,) = (x for x in place(scene).labels if to_text(x.label.content) == angle)
+    left, bottom, right, top = label.box
+    middle = Vector((left + right) / 2, (bottom + top) / 2)
+    parts = (
+        s for s in scene.shapes if isinstance(s, Arrow) and s.role in ("component", "velocity")
+    )
+    assert not any(parted(middle, label.label.at, piece) for part in parts for piece in ink(part))
 
 
 def test_a_long_name_stands_beside_its_sphere() -> None:

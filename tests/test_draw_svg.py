@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, permutations
 from pathlib import Path
 
 import pytest
@@ -19,6 +19,7 @@ from strategies import CONTENTS, pictures
 import restitution as r
 from restitution import examples
 from restitution.drawing import scenes, style, svg
+from restitution.drawing.ink import crosses, padded
 from restitution.drawing.labels import Placed, place
 from restitution.drawing.scene import (
     Arc,
@@ -544,6 +545,21 @@ def test_a_label_is_not_parted_from_its_point_by_a_strong_line() -> None:
     label = Label(U, Vector(20, 20), ("s", "n"), 2.0)
     box = place(Scene("", "", (0, 0, 40, 40), (bar,), (label,))).labels[0].box
     assert box[1] > 20
+
+
+def test_a_leader_line_is_no_bar_beneath_another_label() -> None:
+    solution = r.solve(r.parse(examples.text("two-spheres-with-vectors")))
+    (scene,) = scenes(solution, letters=r.explain(solution).letters)
+    for one, two in permutations(place(scene).labels, 2):
+        if one.leader is not None:
+            assert not crosses(padded(two.box, 1.3), *one.leader)
+
+
+def test_a_note_begins_where_the_first_panel_does() -> None:
+    panel = Panel("Before", (20.0, 0.0, 60.0, 20.0))
+    scene = Scene("", "", (0, 0, 80, 20), panels=(panel,), note=l.Words("Not to scale."))
+    note = place(scene).words[-1]
+    assert 20 <= note.box[0] < 22
 
 
 def test_labels_side_by_side_do_not_read_as_one() -> None:

@@ -35,6 +35,7 @@ from restitution.vector import Vector
 
 CLEARANCE = 0.3  # from the ink of a label to any line, and to the frame
 ASIDE, ABOVE = 1.5, 0.9  # from label to label, so that no two read as one
+FROM_LEADER = 1.4  # from a label to the leader line of another, which is no bar of a fraction
 MARGIN = 0.6  # from any ink to the edge of the picture
 HEADING_SIZE = 3.2
 NOTE_SIZE = 2.6
@@ -46,7 +47,7 @@ _FARTHER = (0.0, 0.5, 1.1, 1.9, 2.8, 4.0, 5.5, 7.5)
 _SLIDES = (0.0, 0.25, -0.25, 0.5, -0.5)  # of a label's width or height, along its side
 _ENOUGH = 16  # offers, after which none farther off are looked for
 _ALL = 60
-_STRONG = 0.17  # half the width of a straight line that should not part a label from its point
+_STRONG = 0.13  # half the width of a straight line that should not part a label from its point
 _GRID = 1.6
 _GROWTH = 5.0
 _ROUNDS = 10
@@ -120,7 +121,8 @@ def place(scene: Scene) -> Placed:
         *(piece.box for panel in scene.panels for piece in _frame(panel)),
     ]
     box = union([scene.box, *drawn])
-    words = (*headings, *_note(scene.note, box))
+    left = min((panel.box[0] for panel in scene.panels), default=box[0])
+    words = (*headings, *_note(scene.note, (left, *box[1:])))
     return Placed(scene, labels, words, union([box, *(padded(word.box, MARGIN) for word in words)]))
 
 
@@ -282,23 +284,26 @@ def _offer(
     left, bottom, right, top = box
     nearest = Vector(min(max(point[0], left), right), min(max(point[1], bottom), top))
     close, spot = padded(box, 1.0), (*point, *point)
-    far = farther >= LEADER_FROM
+    far, behind = farther >= LEADER_FROM, False
     for piece in near.pieces:
         if overlap(piece.box, close) and touched(box, (piece,), 1.0):
             cost += 0.35
         if parted(nearest, point, piece) and not touched(spot, (piece,), 0.2):
             strong = isinstance(piece, Stick) and piece.half > _STRONG
             cost += 6.0 if strong else 0.8
-            far |= strong
+            behind |= strong
     middle = Vector((left + right) / 2, (bottom + top) / 2)
     for disc in near.discs:
         if point != disc.centre and math.hypot(*(middle - disc.centre)) < disc.radius:
             cost += 2.5
-    if not lead or not far or math.hypot(*(point - nearest)) < SHORTEST:
+    short = math.hypot(*(point - nearest)) < SHORTEST
+    if behind and short:  # it would seem to name the line between
+        cost += 4.0
+    if not lead or not (far or behind) or short:
         return _offered(box, size, cost)
     outward = direction(point - nearest)
     leader = nearest + outward * 0.5, point - outward * max(0.3, min(gap - 0.4, 0.6 * gap))
-    if any(crosses(padded(mark, CLEARANCE), *leader) for mark in near.solid):
+    if any(crosses(padded(mark, FROM_LEADER), *leader) for mark in near.solid):
         return None
     return _offered(box, size, cost + 2.0, leader)
 
@@ -373,11 +378,11 @@ def _clash(one: _Offer, two: _Offer) -> bool:
         return False
     if _together(one.box, two.box):
         return True
-    if one.leader is not None and crosses(padded(two.box, CLEARANCE), *one.leader):
+    if one.leader is not None and crosses(padded(two.box, FROM_LEADER), *one.leader):
         return True
     if two.leader is None:
         return False
-    return crosses(padded(one.box, CLEARANCE), *two.leader) or (
+    return crosses(padded(one.box, FROM_LEADER), *two.leader) or (
         one.leader is not None and parted(*one.leader, stick(*two.leader, 0.0))
     )
 

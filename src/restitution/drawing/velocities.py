@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from restitution.drawing.angles import put_angle, put_deflection
+from restitution.drawing.angles import has_room, put_angle, put_deflection
 from restitution.drawing.event import (
     LONGEST_LABEL,
     RADIUS,
@@ -71,18 +71,23 @@ def put_velocity(view: View, body: Body, when: When, scale: float, drawing: Draw
     tip = tail + course * length
     drawing.shapes.append(Arrow("velocity", tail, tip))
     along, across = v.dot(view.n) * scale, v.dot(view.t) * scale
+    rim, far = (tip, tail) if arriving else (tail, tip)
+    corner = rim + view.t * (far - rim).dot(view.t)
+    turned = not all(
+        has_room(angle, rim, far, corner, index) for index, angle in enumerate(words.angles)
+    )
     if view.question:
         _as_given(view, body, when, (tail, tip), drawing)
-    elif abs(along) < 1e-6 or abs(across) < 1e-6 or size * scale < TINY:
+    elif abs(along) < 1e-6 or abs(across) < 1e-6:
         _in_one_direction(view, body, when, tail, tip, drawing)
         if abs(along) < 1e-6 and size * scale >= TINY:
             end = tail if arriving else tip
             _sense_of_nothing(view, body, when, end, drawing)
     else:
-        _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
+        _triangle(view, body, when, (tail, tip), Vector(along, across), drawing, turned=turned)
     for index, angle in enumerate(words.angles):
         hidden = view.question or _is_narrow(Vector(along, across))
-        leg = 0.0 if hidden else abs(across)
+        leg = 0.0 if hidden or turned else abs(across)
         put_angle(view, body, angle, (tail, tip), arriving, leg, index, drawing)
     if when == "after":
         put_deflection(view, body, tail, length, len(words.angles), drawing)
@@ -108,8 +113,6 @@ def _in_one_direction(
     course = direction(tip - tail)
     along = abs(course.dot(view.n)) > abs(course.dot(view.t))
     axis, part = (view.n, parts[0]) if along else (view.t, parts[1])
-    if abs(course.dot(axis)) < 1 - 1e-9:  # too short for its components to be seen
-        part = None
     outward = _clear_side(body, course)
     label = words.size
     if label is None and view.kind == "blow":
@@ -127,15 +130,18 @@ def _triangle(
     view: View,
     body: Body,
     when: When,
-    tail: Vector,
-    tip: Vector,
+    arrow: tuple[Vector, Vector],
     parts: Vector,
     drawing: Drawing,
+    *,
+    turned: bool,
 ) -> None:
     """The components of a velocity, from its tail to its tip, with their labels and its own.
 
-    Next to the sphere stands the component across, so that no other lies on the line of centres.
+    Next to the sphere stands the component across, so that no other lies on the line of centres;
+    the other if they are ``turned``, to leave room for an angle.
     """
+    tail, tip = arrow
     along, across = parts
     labels = _components(view, body, when)
     if _is_narrow(parts):
@@ -143,7 +149,7 @@ def _triangle(
         _own_label(view, body, when, (tail, tip), tail + view.t * across, drawing)
         return
     legs = [(view.t, across, labels[1]), (view.n, along, labels[0])]
-    if math.hypot(*(tip - body.centre)) < math.hypot(*(tail - body.centre)):
+    if turned != (math.hypot(*(tip - body.centre)) < math.hypot(*(tail - body.centre))):
         legs.reverse()
     corner = tail + legs[0][0] * legs[0][1]
     ends = (tail, corner), (corner, tip)
