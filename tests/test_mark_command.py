@@ -49,6 +49,16 @@ def test_a_script_is_marked(folder):
     assert max(map(len, out.splitlines())) <= 80
 
 
+def test_what_is_wrong_in_the_letters_is_told_of_their_file(folder):
+    (folder / "letters.txt").write_text("v: component of A along i after\nw: the wobble of B\n")
+    status, _, err = run(
+        "mark", "pair.impact", "scripts/bob.txt", "--letters", "letters.txt", cwd=folder
+    )
+    assert status == 2
+    assert err.startswith("letters.txt:2:4: syntax: the meaning of w, 'the wobble of B', names no")
+    assert "    2 | w: the wobble of B\n      |    ^" in err
+
+
 def test_several_parts_are_an_object_a_line(folder):
     typed = f"(a)\n{GOOD}(b)\nKE lost = 8\n".encode()
     status, out, _ = run("mark", "pair.impact", "-", "--format", "json", stdin=typed, cwd=folder)
@@ -59,7 +69,7 @@ def test_several_parts_are_an_object_a_line(folder):
 def test_each_script_of_a_folder_has_the_time_of_one(folder, monkeypatch):
     limits = []
 
-    def answered(worker, file, job, limit):
+    def answered(worker, file, job, limit, letters):
         limits.append(limit)
         return Answer(0, "")
 

@@ -15,7 +15,7 @@ import pytest
 from lines_of_practice import in_script
 
 import restitution as r
-from restitution.errors import StatementError
+from restitution.errors import LettersError, StatementError
 from restitution.expression import read_expression, write_expression
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression
@@ -213,6 +213,27 @@ def test_a_bad_line_of_a_letters_file_is_an_error_with_its_line(text: str) -> No
     with pytest.raises(StatementError) as error:
         letters_from_text(text, solved(SPHERES)[0])
     assert error.value.line == text.count("\n") + 1
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "rule"),
+    [
+        ("v: speed(A)\n  w =  velocity(A", 18, "the meaning of w: expected ')' or ',' after 'A'"),
+        ("\nw: component of Q along i after", 17, "names Q, which is not in the question"),
+    ],
+)
+def test_what_is_wrong_in_a_letters_file_is_told_at_its_place(
+    text: str, column: int, rule: str
+) -> None:
+    with pytest.raises(LettersError, match=re.escape(rule)) as error:
+        letters_from_text(text, solved(SPHERES)[0])
+    assert (error.value.line, error.value.column) == (2, column)
+
+
+def test_what_is_wrong_in_one_meaning_has_no_line() -> None:
+    with pytest.raises(StatementError, match="the meaning of w: expected") as error:
+        letters_from_mapping({"w": "velocity(A"}, solved(SPHERES)[0])
+    assert error.value.line is None
 
 
 def test_letters_of_a_file_have_canonical_names() -> None:

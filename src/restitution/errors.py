@@ -2,6 +2,7 @@
 
     RestitutionError
     ├── StatementError      the text cannot be read                      (kind "syntax")
+    │   └── LettersError    what letters mean cannot be read             (kind "syntax")
     ├── MissingError        too little is known                          (kind "missing")
     ├── ContradictionError  the facts clash                              (kind "contradiction")
     ├── ImpossibleError     it cannot happen, for a physical reason      (kind "impossible")
@@ -67,6 +68,10 @@ class StatementError(RestitutionError):
     kind = "syntax"
     others: tuple[StatementError, ...] = ()
     hints: tuple[StatementError, ...] = ()
+
+
+class LettersError(StatementError):
+    """A text of what letters mean that cannot be read: its lines are those of that text."""
 
 
 class MissingError(RestitutionError):

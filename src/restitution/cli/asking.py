@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from restitution.cli.files import debugging, one_line, parse, pointed, read, say, shown_name
 from restitution.cli.statuses import REPORT, UNANSWERED, UNREADABLE
 from restitution.cli.worker import new_worker
-from restitution.errors import RestitutionError
+from restitution.errors import LettersError, RestitutionError
 from restitution.records import dataclass
 
 if TYPE_CHECKING:
@@ -29,8 +29,13 @@ def worker_of(early: Worker | None) -> Worker:
     return early or new_worker()
 
 
-def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer:
-    """Read a file and have the task done; what is wrong is told, in JSON too if that is asked."""
+def answer(
+    worker: Worker, file: str, task: Task, limit: float | None, letters: tuple[str, str] = ("", "")
+) -> Answer:
+    """Read a file and have the task done; what is wrong is told, in JSON too if that is asked.
+
+    ``letters`` are the name and the text of a letters file, for what is wrong in that.
+    """
     from restitution.export import contract
     from restitution.export.job import Job, Writing
     from restitution.problem import require_part
@@ -57,7 +62,10 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
     messages = [f"{job.file}: warning: {warning}" for warning in reply.warnings]
     messages += [f"{job.file}: {note}" for note in reply.notes]
     for missing in reply.errors:
-        messages += pointed(file, text, missing)
+        if isinstance(missing, LettersError):
+            messages += pointed(letters[0], letters[1].encode(), missing)
+        else:
+            messages += pointed(file, text, missing)
     if reply.fault:
         messages.append(
             reply.fault

@@ -50,7 +50,8 @@ def mark(worker: Worker, scripts: Scripts, limit: float | None) -> Answer:
     except StatementError as error:
         return Answer(UNREADABLE, None, (error.message,))
     whole = None if limit is None else limit * max(1, len(task.workings))
-    done = answer(worker, scripts.question, Marking(task), whole)
+    letters = scripts.letters or "", task.letters
+    done = answer(worker, scripts.question, Marking(task), whole, letters)
     if not unread:
         return done
     return Answer(UNREADABLE, done.content, (*unread, *done.messages))

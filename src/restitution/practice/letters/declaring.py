@@ -6,7 +6,7 @@ import re
 import unicodedata
 from collections.abc import Mapping, Sequence
 
-from restitution.errors import StatementError
+from restitution.errors import LettersError, StatementError
 from restitution.expression.limits import MAX_LINE_LENGTH
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
@@ -39,6 +39,8 @@ _CALL = re.compile(r"\b(" + "|".join(sorted(KINDS, key=len, reverse=True)) + r")
 _OF_A_BODY = frozenset(
     word for word, kind in KINDS.items() if kind.arguments[1] == 1 and "sphere" in kind.names
 )
+_BODY = re.compile(r"(?<![\w'])[A-Z]\d?(?![\w'.])")
+_NO_BODIES = frozenset("EIJKN")  # as units, impulses and energies have them
 _FORM = "a line is a letter, a colon and its meaning, such as v: component of A along i after"
 
 
@@ -46,19 +48,23 @@ def letters_from_text(text: str, problem: Problem) -> dict[str, tuple[Expression
     """The meanings of a letters file: for every letter the quantities that its words may name.
 
     A line is ``v: component of A along i after`` or ``v = along(velocity(A), i)``; blank lines
-    and what stands behind # are left out. Raises StatementError, with line and rule.
+    and what stands behind # are left out. Raises LettersError, with line and rule.
     """
     meanings: dict[str, tuple[Expression, ...]] = {}
     for number, whole in enumerate(text.splitlines(), 1):
-        line = whole.partition("#")[0].strip()
-        if not line:
+        line = whole.partition("#")[0].rstrip()
+        if not line.strip():
             continue
-        letter, meaning = _divided(line, problem, number)
+        letter, meaning, before = _divided(line, problem, number)
         if letter in meanings:
-            raise StatementError(f"the letter {letter} has a meaning already", number, 1)
+            raise LettersError(f"the letter {letter} has a meaning already", number, 1)
         if len(meanings) == MAX_LETTERS:
-            raise StatementError(f"at most {MAX_LETTERS} letters have a meaning", number, 1)
-        meanings[letter] = meaning_from_text(meaning, problem, number, letter)
+            raise LettersError(f"at most {MAX_LETTERS} letters have a meaning", number, 1)
+        try:
+            meanings[letter] = meaning_from_text(meaning, problem, letter)
+        except StatementError as error:
+            column = before + (error.column or 1)
+            raise LettersError(error.message, number, column) from None
     return meanings
 
 
@@ -75,27 +81,34 @@ def letters_from_mapping(
         letter_from_text(letter, problem): (
             (meaning,)
             if isinstance(meaning, Expression)
-            else meaning_from_text(meaning, problem, None, letter)
+            else meaning_from_text(meaning, problem, letter)
         )
         for letter, meaning in given.items()
     }
 
 
-def _divided(line: str, problem: Problem, number: int) -> tuple[str, str]:
+def _divided(line: str, problem: Problem, number: int) -> tuple[str, str, int]:
+    """A letter, its meaning, and how many characters stand before that."""
     if len(line) > MAX_LINE_LENGTH:
         rule = f"the line is too long: at most {MAX_LINE_LENGTH} characters"
-        raise StatementError(rule, number, 1)
+        raise LettersError(rule, number, 1)
+    start = len(line) - len(line.lstrip())
     places = [place for place in (line.find(":"), line.find("=")) if place >= 0]
     if not places:
-        raise StatementError(f"{line!r} has no colon: {_FORM}", number, 1)
+        raise LettersError(f"{line.strip()!r} has no colon: {_FORM}", number, start + 1)
     place = min(places)
     meaning = line[place + 1 :].strip()
     if not meaning:
-        raise StatementError(f"the meaning of {line[:place].strip()} is missing: {_FORM}", number)
-    return letter_from_text(line[:place], problem, number), meaning
+        rule = f"the meaning of {line[:place].strip()} is missing: {_FORM}"
+        raise LettersError(rule, number, place + 1)
+    try:
+        letter = letter_from_text(line[:place], problem)
+    except StatementError as error:
+        raise LettersError(error.message, number, start + 1) from None
+    return letter, meaning, len(line) - len(meaning)
 
 
-def letter_from_text(text: str, problem: Problem, number: int | None = None) -> str:
+def letter_from_text(text: str, problem: Problem) -> str:
     """A letter by its canonical name: ``v_A`` for vA and v_{A}, ``beta`` for β.
 
     Raises StatementError for what is no letter.
@@ -103,7 +116,7 @@ def letter_from_text(text: str, problem: Problem, number: int | None = None) -> 
     plain = unicodedata.normalize("NFKC", text).strip()
     match = _LETTER.fullmatch(plain)
     if match is None or len(plain) > 20:
-        raise StatementError(f"{plain!r} is no letter: {_FORM}", number, 1 if number else None)
+        raise StatementError(f"{plain!r} is no letter: {_FORM}")
     base, below, dashes = match["base"], match["below"] or "", match["dashes"]
     if not below and base.casefold() not in GREEK and len(base) > 1:
         rest = base[1:]
@@ -113,25 +126,31 @@ def letter_from_text(text: str, problem: Problem, number: int | None = None) -> 
     return (f"{base}_{below}" if below else base) + dashes
 
 
-def meaning_from_text(
-    text: str, problem: Problem, number: int | None, letter: str
-) -> tuple[Expression, ...]:
+def meaning_from_text(text: str, problem: Problem, letter: str) -> tuple[Expression, ...]:
     """The quantities that a meaning may name, the most natural first.
 
-    Raises StatementError, with line and rule, for what names none.
+    Raises StatementError, with column and rule, for what names none.
     """
     if len(text) > MAX_LINE_LENGTH:
         rule = f"the meaning of {letter} is too long: at most {MAX_LINE_LENGTH} characters"
-        raise StatementError(rule, number)
+        raise StatementError(rule)
     fault: StatementError | None = None
     try:
-        tree = _expression(text, problem, number)
+        tree = _expression(text, problem)
         if has_quantity(tree) or letters(tree) <= letters_of(problem):
             return (tree,)
     except StatementError as error:
+        rule = f"the meaning of {letter}: {error.message}"
+        fault = StatementError(rule, None, error.column)
         if _CALL.search(text):
-            raise
-        fault = error
+            raise fault from None
+    bodies = _bodies(problem).keys() | letters_of(problem)
+    strange = [name for name in _BODY.findall(text) if name not in bodies | _NO_BODIES]
+    if strange:
+        rule = (
+            f"the meaning of {letter}, {text!r}, names {strange[0]}, which is not in the question"
+        )
+        raise StatementError(rule, None, text.index(strange[0]) + 1)
     known = names_quantity(words_of(text), problem)
     meanings = read_phrase(text, problem) if known else ()
     if meanings:
@@ -142,7 +161,7 @@ def meaning_from_text(
         f"the meaning of {letter}, {text!r}, names no quantity that is known here: say, for "
         "example, component of A along i after, speed of A after, angle of A to the wall after"
     )
-    raise StatementError(rule, number)
+    raise StatementError(rule)
 
 
 def _in_one_sense(meanings: Sequence[Expression]) -> tuple[Expression, ...]:
@@ -163,19 +182,24 @@ def _is_along_a_unit(tree: Expression) -> bool:
     return False
 
 
-def _expression(text: str, problem: Problem, number: int | None) -> Expression:
-    from restitution.expression.reading import read_expression
-
-    names = {
+def _bodies(problem: Problem) -> dict[str, str]:
+    """What each name of the question is the name of."""
+    return {
         **{sphere.name: "sphere" for sphere in problem.spheres},
         **{wall.name: "wall" for wall in problem.walls},
         **{point.name: "point" for point in problem.points},
     }
-    tree = read_expression(text, names=names, line=number or 1)
+
+
+def _expression(text: str, problem: Problem) -> Expression:
+    from restitution.expression.reading import read_expression
+
+    names = _bodies(problem)
+    tree = read_expression(text, names=names)
     for node in walk(tree):
         if isinstance(node, Quantity) and node.kind in _OF_A_BODY and node.arguments:
             body = node.arguments[0]
             if not isinstance(body, Name) or body.name not in names:
                 rule = f"{node.kind}(…) needs the name of a sphere of the question"
-                raise StatementError(rule, number)
+                raise StatementError(rule)
     return tree
