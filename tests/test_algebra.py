@@ -325,6 +325,13 @@ def test_a_root_stays_where_the_leading_coefficient_vanishes(sign):
         assert sp.simplify(equation.subs(x, value)) == 0
 
 
+def test_a_quotient_loses_a_factor_that_is_double_on_one_side() -> None:
+    t = sp.Symbol("t", positive=True)
+    value = sp.expand((t + 3 * r3) * (t - r3) ** 2) / ((r3 * t - 3) * (t + 1))
+    assert sp.simplify(over_surds(value) - (t + 3 * r3) * (t - r3) / (r3 * (t + 1))) == 0
+    assert sp.degree(sp.fraction(over_surds(value))[1], t) == 1
+
+
 def test_a_quotient_whose_roots_are_not_found_stays_as_it_is(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

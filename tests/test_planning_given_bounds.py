@@ -254,6 +254,43 @@ show psi > beta
 """,
         ("cot ψ = ½(1 − e)w cos β/(w sin β)", "cot ψ < 1/tan β", "ψ > β"),
     ),
+    "a deflection at a second wall, at right angles to the first": (
+        """
+wall AB: along i
+wall BC: along j
+sphere P: velocity u at alpha to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/4
+given deflection(P) < 120°
+find range of tan(alpha)
+""",
+        (
+            "δ = β + θ",
+            "cot δ = (1 − tan β tan θ)/(tan β + tan θ)",
+            "cot δ > −√3/3, as 0° ≤ δ < 120°",
+            "2(tan²α − 1)/(5 tan α) > −√3/3",
+            "tan α > (√219 − 5√3)/12",
+        ),
+    ),
+    "a deflection at a second wall that slants": (
+        """
+point B: (0, 0)
+wall AB: from (-9a, 0) to (0, 0)
+wall BC: from (0, 0) to (9a, 9a)
+sphere P: at (-2a, a), velocity u at alpha to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+given deflection(P) > 45°
+find range of tan(alpha)
+""",
+        (
+            "= (4 + 12 tan α + tan²α)/(3(4 − tan²α))",
+            "P moves towards BC before the second impact",
+            "tan α < 2, as α is acute",
+            "tan²α + 3 tan α − 2 < 0, as α is acute",
+            "½ < tan α < (√17 − 3)/2",
+        ),
+    ),
 }
 
 
@@ -264,3 +301,17 @@ def test_an_angle_that_is_bounded_bounds_letters(name: str) -> None:
     text = to_text(explanation_of(derivation, problem), 120)
     for each in lines:
         assert each in text, text
+
+
+def test_the_angle_to_a_wall_that_is_hit_from_an_open_side_has_the_size_of_a_component() -> None:
+    problem, derivation = planned("""
+wall AB: along i
+wall BC: along 60°
+sphere P: velocity u at alpha to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+find tan(angle(velocity(P), BC))
+""")
+    text = to_text(explanation_of(derivation, problem), 120)
+    assert "tan β = |u(sin α − 2√3 cos α)/8|/(u(2 cos α + √3 sin α)/4)" in text, text
+    assert "= |2√3 − tan α|/(2(2 + √3 tan α))" in text, text

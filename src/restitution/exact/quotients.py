@@ -62,19 +62,26 @@ def _have_a_common_root(a: Add, b: Add) -> bool:
 def _vanish_together(a: Add, b: Add, letter: Symbol) -> bool:
     others = sorted((a.free_symbols | b.free_symbols) - {letter}, key=sympy.default_sort_key)
     put = {value: Rational(7 * n + 11, 13 + n) for n, value in enumerate(others)}
-    roots = []
+    polynomials = []
     for value in (a, b):
         coefficients = sympy.Poly(value.xreplace(put), letter).all_coeffs()
         # With numbers for letters there may be roots of negative numbers.
         parts = [number.evalf(40).as_real_imag() for number in coefficients]
-        numbers = [
-            mpmath.mpc(*map(str, pair)) if pair[1] else mpmath.mpf(str(pair[0])) for pair in parts
-        ]
-        try:
-            roots.append(mpmath.polyroots(numbers, maxsteps=80, extraprec=80))
-        except (NoConvergence, ZeroDivisionError):
-            return False
-    return any(abs(x - y) < 1e-9 * (1 + abs(x)) for x in roots[0] for y in roots[1])
+        polynomials.append(
+            [mpmath.mpc(*map(str, p)) if p[1] else mpmath.mpf(str(p[0])) for p in parts]
+        )
+    # Where one of them has a double root, this is found only as a root of the other.
+    return any(_vanishes_at_a_root(*pair) for pair in (polynomials, polynomials[::-1]))
+
+
+def _vanishes_at_a_root(one: list[mpmath.mpf], other: list[mpmath.mpf]) -> bool:
+    """Whether a polynomial is zero at a root of another one, by their coefficients."""
+    try:
+        roots = mpmath.polyroots(one, maxsteps=80, extraprec=80)
+    except (NoConvergence, ZeroDivisionError):
+        return False
+    sizes = [abs(number) for number in other]
+    return any(abs(mpmath.polyval(other, x)) < 1e-9 * mpmath.polyval(sizes, abs(x)) for x in roots)
 
 
 def reduced_over_surds(value: Expr) -> Expr:

@@ -20,11 +20,11 @@ def oriented(step: Step, x: Quotient, loose: Collection[str] = ()) -> int | None
     What letters of the statement may be need not be cited: an acute angle is named as such. What
     is given of them beyond that (``m > e M``) counts where it is cited. A component that a working
     names is drawn in its sense, unless a line gives it a value of which that is not certain; those
-    of ``loose`` letters have either.
+    of ``loose`` letters have either. That a body moves towards a wall counts where it is cited.
     """
     roles = drawn_roles(step)
     roles = {**roles, **{name: REAL for name in loose if name in step.setting.meanings}}
-    oracle = Oracle(roles, tuple(_ranges_cited(step)))
+    oracle = Oracle(roles, (*_ranges_cited(step), *_approaches_cited(step, roles)))
     sign = Signs(step.world, lambda: oracle).of(x)
     if sign:
         return sign
@@ -44,6 +44,16 @@ def _ranges_cited(step: Step) -> Iterator[Formula]:
             sides = (side for link in links for side in (link.left, link.right))
             if all(link.sign in FLIPPED for link in links) and not any(map(has_quantity, sides)):
                 yield step.formula(premise.relation)
+
+
+def _approaches_cited(step: Step, roles: Mapping[str, Role]) -> Iterator[Formula]:
+    """That bodies move towards walls, where a line cites it, in letters."""
+    for premise in step.cited:
+        if str(premise.ref).startswith("approach ") and isinstance(premise.relation, Relation):
+            (link,) = premise.relation.only
+            own = step.residual(step.setting.settled(link), step.rules())
+            if isinstance(own, Quotient) and link.sign == ">":
+                yield Claim(step.world.expression(own, roles), ">")
 
 
 def drawn_roles(step: Step) -> Mapping[str, Role]:

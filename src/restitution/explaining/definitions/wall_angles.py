@@ -6,6 +6,7 @@ Their tangents by components where the sense is open, and components by speeds.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from restitution.explaining.data.offset_angles import named_angles
 from restitution.explaining.data.paths_and_lines import in_degrees
@@ -29,7 +30,7 @@ from restitution.expression.tree import (
 
 
 def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
-    """The tangent of an angle to a wall: to a parallel one, or where the sense along it is open.
+    """The tangent of an angle to a wall: to a parallel one, or where a sense is open.
 
     Also to another wall that is parallel to the line of centres, or perpendicular to it; and to a
     line of centres, where the sense along that is open.
@@ -52,13 +53,15 @@ def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
         directions = [
             step.world.directions.get(Quantity("direction", (name,))) for name in (own, wall)
         ]
-        if stage != event.number or (
+        if stage not in (event.number, event.number - 1) or (
             wall != own and (None in directions or directions[0] != directions[1])
         ):
             continue
         along, across = (Quantity(kind, (velocity, axis)) for kind in COMPONENTS)
-        for below in (across, Apply("abs", across)):
-            yield Link(Apply("tan", meaning.quantity), "=", Binary("/", along, below))
+        sizes: list[tuple[Expression, Expression]]
+        sizes = [(own, Apply("abs", own)) for own in (along, across)]
+        for above, below in product(*sizes):
+            yield Link(Apply("tan", meaning.quantity), "=", Binary("/", above, below))
     for angle in _given_angles(step, event, own):
         along, across = (Quantity(kind, (angle.arguments[0], axis)) for kind in COMPONENTS)
         yield Link(Apply("tan", angle), "=", Binary("/", along, Apply("abs", across)))

@@ -163,6 +163,11 @@ def trees_of(relation: Relation | Meaning) -> tuple[Expression, ...]:
     return relation.trees
 
 
+def has_quantity_in(relation: Relation) -> bool:
+    """Whether a relation speaks of a quantity of the motion."""
+    return any(map(has_quantity, relation.trees))
+
+
 def is_share_of_energy(line: Line) -> bool:
     """Whether a line says what an energy, or a loss, is as a share of an energy before."""
     match line.relation:

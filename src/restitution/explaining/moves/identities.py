@@ -86,7 +86,7 @@ def _is_instance(step: Step, line: Link, names: frozenset[Identity]) -> bool:
 
 def _of_angle(step: Step, line: Link, base: Link, rules: Rules) -> bool:
     """Whether a line is what an identity makes of a ratio of two angles that are equal."""
-    for function in RATIOS:
+    for function in (*RATIOS, "cot"):
         ratios = Link(Apply(function, base.left), base.sign, Apply(function, base.right))
         try:
             expected = expected_residual(step, ratios, rules)

@@ -21,7 +21,9 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Number,
     Quantity,
+    is_binary,
     is_function,
     letters,
     walk,
@@ -470,14 +472,17 @@ def by_tangents(
 
     There is no ``base`` where the sum or the difference itself stands in the tangent.
     ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
-    is a tangent of which the value is given, with what gives it.
+    is a tangent of which the value is given, with what gives it. Of a cotangent that is sought the
+    quotients stand the other way up.
     """
+    upside_down = is_function(turned, "cot")
     doubled = form == "sum" and terms[0] == terms[1]
     first, second = map(_tangent, terms)
     own = _tangent_of_twice(first) if doubled else tangent_of(form, first, second)
     names = {name for term in terms for name in letters(term.angle)}
     known = (*background(scene, names), *meeting(scene))
-    asked = is_function(turned, "tan")
+    asked = is_function(turned, "tan", "cot")
+    own = _turned_over(own) if upside_down else own
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
     bases = () if base is None else (base,)
     move = Move("identity", "double-angle" if doubled else "sum-of-angles")
@@ -493,18 +498,31 @@ def by_tangents(
     if tidy(both) == (-1 if form.endswith("difference") else 1):
         raise NotPlannedError("a right angle has no tangent")
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
-    both_tree = both_tree if by_one is None else by_one[0]
+    if by_one is not None:
+        both_tree = by_one[0]
+    elif both_tree is not None and _has_sine_or_cosine(both_tree):
+        own_product = _in_its_tangents(scene, tangents, lambda p, q: p * q)
+        both_tree = both_tree if own_product is None else tree_of(own_product, as_it_is=True)
     put = swept(
         _tangent_of_twice(tangents[0], both_tree)
         if doubled
         else tangent_of(form, tangents[0], tangents[1], both_tree)
     )
-    own_value = _in_its_tangents(scene, form, tangents)
+
+    def whole(p: sp.Expr, q: sp.Expr) -> sp.Expr:
+        value = _tangent_by(form, p, q)
+        return 1 / value if upside_down else value
+
+    own_value = _in_its_tangents(scene, tangents, whole)
+    put = _turned_over(put) if upside_down else put
     final = tree_of(tidy(scene.scalar(put)))
     if by_one is not None:
-        final = by_one[1]
-    elif own_value is not None and any(is_function(node, "sin", "cos") for node in walk(final)):
-        final = tree_of(own_value, as_it_is=True)
+        final = _turned_over(by_one[1]) if upside_down else by_one[1]
+    elif own_value is not None:
+        in_its_tangents = tree_of(own_value, as_it_is=True)
+        # A product shows its sign.
+        is_shorter = _degree(in_its_tangents) < _degree(final)
+        final = in_its_tangents if is_shorter or _has_sine_or_cosine(final) else final
     if not asked and given is None:
         # The value that is given stays where it stands.
         refs = (number, *together(*(term.refs for term in terms)))
@@ -516,6 +534,14 @@ def by_tangents(
     sources = together(*(term.refs for term in terms), () if given is None else given[1])
     refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _turned_over(tree: Expression) -> Expression:
+    """The reciprocal of a quotient, of which top and bottom change places; of another, one over."""
+    match tree:
+        case Binary("/", above, below):
+            return Binary("/", below, above)
+    return Binary("/", ONE, tree)
 
 
 def _by_one_multiple(
@@ -548,8 +574,23 @@ def _tangent_by(form: Form, p: sp.Expr, q: sp.Expr) -> sp.Expr:
     return ((p + q) if "sum" in form else (p - q) if form == "difference" else (q - p)) / both
 
 
-def _in_its_tangents(scene: Scene, form: Form, tangents: Sequence[Expression]) -> sp.Expr | None:
-    """The tangent of an angle by two others, in the tangents of letters in these; None without."""
+def _has_sine_or_cosine(tree: Expression) -> bool:
+    """Whether a tree has a sine or a cosine."""
+    return any(is_function(node, "sin", "cos") for node in walk(tree))
+
+
+def _degree(tree: Expression) -> Fraction:
+    """The greatest power in a tree."""
+    powers = (node.right for node in walk(tree) if is_binary(node, "^"))
+    return max((own.value for own in powers if isinstance(own, Number)), default=Fraction(1))
+
+
+def _in_its_tangents(
+    scene: Scene,
+    tangents: Sequence[Expression],
+    made_of: Callable[[sp.Expr, sp.Expr], sp.Expr],
+) -> sp.Expr | None:
+    """What is made of two tangents, in the tangents of letters in these; None without."""
     values = [in_tangents(scene.scalar(tangent)) for tangent in tangents]
     own = sorted({ratio for value in values for ratio in value.atoms(sp.tan)}, key=str)
     if not own or any(value.has(sp.sin, sp.cos) for value in values):
@@ -557,7 +598,19 @@ def _in_its_tangents(scene: Scene, form: Form, tangents: Sequence[Expression]) -
     letters_ = {tangent: sp.Dummy("Dummy", n, positive=True) for n, tangent in enumerate(own)}
     p, q = (value.xreplace(letters_) for value in values)
     back = {letter: tangent for tangent, letter in letters_.items()}
-    return tidy(_tangent_by(form, p, q)).xreplace(back)
+    value = made_of(p, q)
+    bars = value.atoms(sp.Abs)
+    if len(bars) == 1:
+        return _with_one_size(value, *bars).xreplace(back)
+    return tidy(value).xreplace(back)
+
+
+def _with_one_size(value: sp.Expr, bar: sp.Expr) -> sp.Expr:
+    """A quotient with one size in it, that stands in the first power: its square has no bars."""
+    size = sp.Dummy("size", positive=True)
+    rest = sp.cancel(value.xreplace({bar: size}) / size)
+    plain = rest.xreplace({size**power: bar.args[0] ** power for power in (2, 4)})
+    return tidy(value) if plain.has(size) else tidy(plain) * bar
 
 
 def _with_values(

@@ -121,7 +121,13 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     value = tidy(above.value / below.value)
     value = -value if _is_backwards(scene, value) else value
     if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
-        raise NotPlannedError("a tangent of open sign")
+        if not isinstance(line, Name):
+            raise NotPlannedError("a tangent of open sign")
+        # From which side the body comes to the wall is open.
+        trees[0] = Apply("abs", tree_of(above.value))
+        value = sp.Abs(above.value, evaluate=False) / tidy(below.value)
+        value = -value if scene.model.sign(below.value) < 0 else value
+        above = replace(above, value=sp.Abs(above.value, evaluate=False))
     both = {model.sign(model.in_data(below.value)) for model in scene.others} >= {1, -1}
     if (both and isinstance(line, Name)) or not _of_one_sign(scene, below.value):
         # Which way the body goes along the line is open, or not the same in each solution.
@@ -132,6 +138,8 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     sources = (above,) if is_zero(trees[0]) else (above, below)
     names = together(frame.names_axis("along"), frame.names_axis("across"))
     refs = together(*(source.whole for source in sources), names, walls)
+    if isinstance(line, Name) and not above.value.has(sp.Abs):
+        refs = together(refs, _approach(scene, body, above.value, frame))
     return Formula(
         Move("define", "tan", frame.number, (body,)),
         tangent,
@@ -140,6 +148,16 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
         value if value.has(sp.Abs) else tidy(value),
         refs,
     )
+
+
+def _approach(scene: Scene, body: str, component: sp.Expr, frame: Frame) -> tuple[Ref, ...]:
+    """That a body moves towards a wall, where that alone tells the sense of a component."""
+    fact, sign = f"approach {frame.number}", scene.model.sign(component)
+    if frame.wall is None or fact not in scene.facts or not component.free_symbols:
+        return ()
+    if scene.model.ground.decide(compared(sign * component, ">=", sp.S.Zero)):
+        return ()
+    return together((fact,), in_direction(scene, "along", body, frame.number - 1, frame).whole)
 
 
 def _is_beside(scene: Scene, line: Name, frame: Frame) -> bool:

@@ -27,9 +27,13 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_standard_ratios,
+    is_function,
     unsigned,
+    walk,
 )
 from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turn_lines import by_tangents
+from restitution.planning.angles.wall_turns import sum_at_a_wall
 from restitution.planning.closing.cotangents import write_ratio_of
 from restitution.planning.formulas.angle_formulas import deflection_formula
 from restitution.planning.formulas.named_angles import letter_of, ratio_line
@@ -77,7 +81,8 @@ def _written(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded
             return None
         pool.append(side)
     else:
-        line = _cotangent_of_deflection(worths, angle, letter, let)
+        line = _cotangent_at_a_wall(worths, angle, letter)
+        line = line or _cotangent_of_deflection(worths, angle, letter, let)
         pool.append(f"0° <= {letter} <= 180°")
     if line is None:
         return None
@@ -151,6 +156,30 @@ def _side(worths: Worths, angle: Quantity, pool: Sequence[Ref], up: sp.Expr) -> 
     ends = [tree_of(sp.Integer(number) * sp.pi / 180, angle=True) for number in (low, high)]
     links = (Link(ends[0], "<", angle), Link(angle, "<", ends[1]))
     return worths.judge.write((Move("sign"),), pool, Relation((links,)))
+
+
+def _cotangent_at_a_wall(worths: Worths, angle: Quantity, letter: str) -> int | None:
+    """The cotangent of a deflection at a wall by the tangents of the angles to that.
+
+    None where it is open which way the path goes along the wall, or these have no tangents.
+    """
+    scene = worths.scene
+    frame = scene.frame(int(str(angle.stage))) if angle.stage in scene.model.frames else None
+    if frame is None or frame.wall is None:
+        return None
+    mark = worths.mark()
+    own = sum_at_a_wall(scene, angle, frame)
+    line = None
+    if own is not None and not any(_has_a_size(term.tangent) for term in own[1]):
+        line = by_tangents(scene, own[0], "sum", own[1], Apply("cot", Letter(letter)))
+    if line is None:
+        worths.back(mark)
+    return line
+
+
+def _has_a_size(tree: Expression) -> bool:
+    """Whether a tree has the size of a component whose sign is open."""
+    return any(is_function(node, "abs") for node in walk(tree))
 
 
 def _cotangent_of_deflection(worths: Worths, angle: Quantity, letter: str, let: Ref) -> int | None:

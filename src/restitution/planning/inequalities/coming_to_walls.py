@@ -6,8 +6,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Fact, Link, Move, Relation, Sign
+from restitution.components.verdicts import proved_sign
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Expression, Name, Quantity
+from restitution.oracle import Relation as Formula
+from restitution.planning.inequalities.angles_bounded import Bounded, relation_of
+from restitution.planning.inequalities.standard_conditions import as_quadratic
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import together
 from restitution.planning.writing.forms import ZERO, tree_of
@@ -54,3 +58,37 @@ def write_towards(
         moves = (Move("rearrange"), Move("cancel"), Move("compare"))
         line = judge.write(moves, [line, *known], last) or line
     return line, "!=", stripped[1]
+
+
+def solved_at_walls(worths: Worths, bounded: Bounded, wanted: Expression | None) -> int | None:
+    """A quadratic inequality, without the factors that are positive as a body comes to a wall.
+
+    None where there are no such factors, or what is left is no quadratic.
+    """
+    line, sign, x = bounded
+    scene, mark = worths.scene, worths.mark()
+    lines: list[Ref] = []
+    factors = [*sp.Mul.make_args(x)]
+    for fact in scene.desk.facts if len(factors) > 1 else ():
+        if not scene.desk.holds(fact.id) or not is_of_a_wall(worths, fact):
+            continue
+        towards = write_towards(worths, fact, wanted)
+        if towards is None or towards[1] != ">":
+            continue
+        number, _, gap = towards
+        oracle = scene.model.ground.with_facts((Formula(gap, ">"),))
+        signs = {own: proved_sign(oracle, own) for own in factors}
+        solved = solve_linear(scene, ">", gap, wanted) or solve_linear(scene, ">", gap)
+        pool = [number, *worths.known_in(gap)]
+        last = solved and worths.judge.write((Move("rearrange"),), pool, relation_of(solved))
+        lines.append(last or number)
+        factors = [own for own in factors if not signs[own]]
+        sign = FLIPPED[sign] if list(signs.values()).count(-1) % 2 else sign
+    if lines and factors:
+        rest = sp.Mul(*factors)
+        known = (*lines, *worths.known_in(rest))
+        after = as_quadratic(worths, line, sign, rest, wanted, known)
+        if after != line:
+            return after
+    worths.back(mark)
+    return None

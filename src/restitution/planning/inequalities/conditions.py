@@ -19,7 +19,7 @@ from restitution.explaining.lines.derivation import (
     Sign,
     turned,
 )
-from restitution.explaining.lines.trees import trees_of
+from restitution.explaining.lines.trees import has_quantity_in
 from restitution.expression.quantities import ANGLES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     COMPONENTS,
@@ -46,7 +46,11 @@ from restitution.planning.formulas.velocity_formulas import body_and_stage, fram
 from restitution.planning.inequalities.angles_bounded import Bounded, write_bounded
 from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
 from restitution.planning.inequalities.bounds_with_roots import collected
-from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
+from restitution.planning.inequalities.coming_to_walls import (
+    is_of_a_wall,
+    solved_at_walls,
+    write_towards,
+)
 from restitution.planning.inequalities.conditions_shown import write_shown
 from restitution.planning.inequalities.given_products import (
     product_with_an_axis,
@@ -662,6 +666,8 @@ class Conditions:
 
     def finished(self, line: int, sign: Sign, x: sp.Expr, wanted: Expression | None) -> int:
         """A condition solved for its letter by one more line, where it is linear in it."""
+        if (at_walls := solved_at_walls(self.worths, (line, sign, x), wanted)) is not None:
+            return at_walls
         solved = solve_linear(self.scene, sign, x, wanted)
         if solved is None:
             if self._is_one_factor(line):
@@ -691,8 +697,3 @@ def _is_a_sense(fact: Fact) -> bool:
         case (Link(Quantity("direction", (Name(),), int()), "=", Degrees()),):
             return True
     return False
-
-
-def has_quantity_in(relation: Relation) -> bool:
-    """Whether a relation speaks of a quantity of the motion."""
-    return any(map(has_quantity, trees_of(relation)))

@@ -21,6 +21,7 @@ from restitution.explaining.lines.derivation import (
     Sign,
     equality,
 )
+from restitution.explaining.lines.trees import has_quantity_in
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -41,7 +42,6 @@ from restitution.planning.closing.gathered_squares import one_square_a_side
 from restitution.planning.closing.letters_cleared import written_by_clearing
 from restitution.planning.closing.ratios import with_the_sum_of_squares
 from restitution.planning.formulas.impacts import residual
-from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.routes.givens import write_given
 from restitution.planning.writing.desk import UNPLANNED, Source, chain

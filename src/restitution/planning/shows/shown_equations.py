@@ -22,7 +22,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
     equality,
 )
-from restitution.explaining.lines.trees import trees_of
+from restitution.explaining.lines.trees import has_quantity_in, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -44,7 +44,6 @@ from restitution.planning.closing.letters_cleared import written_by_clearing
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.inequalities.claims import Claims
-from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
 from restitution.planning.shows.shown_angles import ShownAngles, says
 from restitution.planning.shows.shown_laws import write_shown_law

@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution.exact import in_sines, tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import has_quantity_in, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -28,7 +28,6 @@ from restitution.expression.tree import (
 from restitution.planning.angles.expressions import formula_of_squares
 from restitution.planning.closing.squared_ratios import KINDS, write_by_squares
 from restitution.planning.formulas.definitions import Formula, itself
-from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import (

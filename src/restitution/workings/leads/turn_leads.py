@@ -194,7 +194,7 @@ class TurnLeads(LinesAround):
         base = line if base is None else base
         nodes = (*walk(link.left), *walk(link.right))
         ratios = {e.function for e in nodes if isinstance(e, Apply)} - {"sqrt"}
-        if ratios != {"tan"}:
+        if not ratios <= {"tan", "cot"} or "tan" not in ratios:
             return _of_differences(base, name)
         sides: tuple[Expression, ...]
         if isinstance(link.left, Apply) and is_binary(link.left.argument, "+", "-"):
