@@ -87,13 +87,13 @@ def _side_off_a_sphere(
     last = given.problem.events[number - 2] if number > 1 else None
     if not isinstance(last, Impact) or last.second in given.walls or last.along is None:
         return None
-    if body not in (last.first, last.second) or not _is_direct(given, number, normal):
+    if body not in (last.first, last.second) or not is_direct(given, number, normal):
         return None
     ahead = side_along(given, last, normal)
     return ahead if ahead is None or body == last.second else -ahead
 
 
-def _is_direct(given: Arrangement, number: int, normal: Expression) -> bool:
+def is_direct(given: Arrangement, number: int, normal: Expression) -> bool:
     """Whether all goes on along the normal of a wall in front of an event."""
     world = given.world()
 
@@ -114,6 +114,15 @@ def _is_direct(given: Arrangement, number: int, normal: Expression) -> bool:
         if not isinstance(step, Impact):
             return False
         wall = step.second in given.walls
-        if not is_along(given.into_the_wall(step, event) if wall else step.along):
+        if not is_along(given.into_the_wall(step, event) if wall else _line_of(given, step)):
             return False
     return True
+
+
+def _line_of(given: Arrangement, step: Impact) -> Expression | None:
+    """The line of centres of two spheres: as told, or as told when they met before."""
+    pair = {step.first, step.second}
+    earlier = given.problem.events[: given.problem.events.index(step) + 1]
+    impacts = (other for other in reversed(earlier) if isinstance(other, Impact))
+    same = (other for other in impacts if {other.first, other.second} == pair)
+    return next((e.along for e in same if (e.along, e.offset) != (None, None)), None)

@@ -14,6 +14,7 @@ from functools import cached_property
 from restitution.explaining.data.arrangement import Arrangement, difference, dot, turned, world_of
 from restitution.explaining.data.coming_to_walls import coming_to_wall
 from restitution.explaining.data.first_hits import hits
+from restitution.explaining.data.meeting_again import separation
 from restitution.explaining.data.one_line import axis_of_all, side_along, with_lines_of_centres
 from restitution.explaining.lines.derivation import Fact, FactKind, Link, Relation, Sign
 from restitution.explaining.lines.quotients import Plane
@@ -536,8 +537,8 @@ class FactsOf(Arrangement):
                     b = Negate(b)
                 sign_: Sign = "perpendicular to" if how == "perpendicular to" else "parallel to"
                 yield (Link(self._direction(a, events), sign_, self._direction(b, events)),)
-            case Meets(first, second, _, happens):
-                link = self._separation(first, second, happens, events)
+            case Meets():
+                link = separation(self, relation, events)
                 if link is not None:
                     yield (link,)
             case AtRest(body):
@@ -573,31 +574,6 @@ class FactsOf(Arrangement):
             case Quantity("velocity", (Name(body),), 0):
                 return self.axis_of(self.sphere(body).velocity)
         return None
-
-    def _separation(
-        self, first: Expression, second: Expression, happens: bool, events: int
-    ) -> Link | None:
-        """Two that have met meet again if the one behind is the faster.
-
-        None where they have not met: who is ahead is not plain then. None too where nothing has
-        happened to them since they met, and one has hit a wall: they separate, and meet again
-        only by way of that.
-        """
-        pair = tuple(tree.name for tree in (first, second) if isinstance(tree, Name))
-        met = [e for e in self.events[:events] if set(e.bodies) == set(pair)]
-        if not met:
-            return None
-        own = [e for e in self.events[:events] if set(e.bodies) & set(pair)]
-        if happens and own[-1] is met[-1] and not met[-1].wall and any(e.wall for e in own):
-            return None
-        axis = Quantity("line_of_centres", (), met[-1].number)
-        behind, ahead = (
-            Quantity("along", (Quantity("velocity", (Name(body),), events), axis))
-            for body in met[-1].bodies
-        )
-        left, right = (settled(quantity, self.events) for quantity in (behind, ahead))
-        other: Expression = Number(Fraction(0)) if met[-1].wall else right
-        return Link(left, ">" if happens else "<=", other)
 
     def _direction(self, tree: Expression, events: int) -> Expression:
         """The velocity of a sphere, and a wall, where its name stands for a direction."""

@@ -56,7 +56,7 @@ class Comparison:
         values: list[sp.Expr] = []
         lines: list[Ref] = []
         for side in (link.left, link.right):
-            tree, refs, value = self._named_component(side)
+            tree, refs, value = self.component(side)
             sides.append(tree)
             values.append(value)
             lines += refs
@@ -196,7 +196,7 @@ class Comparison:
                 return line
         return None
 
-    def _named_component(self, side: Expression) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+    def component(self, side: Expression) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
         """A component by the letter for it, and the line that says what it is."""
         scene = self.scene
         match side:

@@ -24,7 +24,6 @@ from restitution.expression.quantities import ANGLES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     COMPONENTS,
     Apply,
-    Binary,
     Degrees,
     Expression,
     Letter,
@@ -59,6 +58,7 @@ from restitution.planning.inequalities.given_products import (
 from restitution.planning.inequalities.multiplied_out import multiplied_out, sides_expanded
 from restitution.planning.inequalities.oblique_components import is_oblique
 from restitution.planning.inequalities.obtuse_by_tangents import write_by_a_tangent
+from restitution.planning.inequalities.sides_put import write_quotient, write_sum
 from restitution.planning.inequalities.squares import (
     both_squared,
     in_its_square,
@@ -525,7 +525,8 @@ class Conditions:
             trees = [tree_of(value) for value in values]
             first = Relation(((Link(trees[0], relation_sign, trees[1]),),))
             if first != relation:
-                line = self._by_the_quotient(link, pool, first)
+                line = write_quotient(self.worths, link, pool, first)
+                line = line or write_sum(self.worths, link, pool, first, x)
                 line = self.judge.write(put, pool, first) if line is None else line
                 if line is not None:
                     known = self.worths.known_in(x)
@@ -604,27 +605,6 @@ class Conditions:
         solved = solve_linear(self.scene, link.sign, x)
         last = relation if solved is None else Relation(((solved,),))
         return self.judge.write((Move("rearrange"), Move("cancel")), [line, *known], last) or line
-
-    def _by_the_quotient(self, link: Link, pool: Sequence[Ref], first: Relation) -> int | None:
-        """A bound of the ratio of two quantities: both stand in it before it is simplified."""
-        match link.left:
-            case Binary("/", Quantity() as above, Quantity() as below):
-                known = [self.scene.desk.known(quantity) for quantity in (above, below)]
-            case _:
-                return None
-        sides = [tree_of(self.scene.put(source.value)[0]) for source in known if source is not None]
-        if len(sides) < 2:
-            return None
-        (own,) = first.only
-        whole = Link(swept(Binary("/", *sides)), own.sign, own.right)
-        mark = self.worths.mark()
-        line = self.judge.write((Move("put"),), pool, Relation(((whole,),)))
-        if line is None or whole == own:
-            return line
-        after = self.judge.write((Move("rearrange"),), [line], first)
-        if after is None:
-            self.worths.back(mark)
-        return after
 
     def _square_of_ratio(self, line: int) -> int:
         """A condition on the square of a sine or of a cosine alone, solved for it first."""

@@ -33,6 +33,7 @@ from restitution.planning.formulas.next_walls import speed_kept
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.angles_at_ends import write_at_ends
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.coming_back import write_meeting_again
 from restitution.planning.inequalities.comparisons import Comparison
 from restitution.planning.inequalities.extrema import write_extremum
 from restitution.planning.inequalities.extrema_above import write_by_a_bound_above
@@ -67,7 +68,6 @@ from restitution.problem import (
     Show,
     trees_of_relation,
 )
-from restitution.solving.equations.facts import comes_back
 from restitution.solving.equations.solution import ItemResult
 from restitution.vector import Vector
 
@@ -380,13 +380,8 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 claims.worths.back(mark)
                 return write_at_ends(claims, claims.solver, relation), relation
         case Meets():
-            links = links_of(scene.problem, item.relation, now)
-            if not links:
-                return _first_meeting(claims, item.relation, now)
-            one, other = item.relation.first.name, item.relation.second.name
-            if not item.relation.happens and comes_back(scene.model.story, one, other, now):
-                raise NotPlannedError("that spheres separate is not enough: one may come back")
-            return Comparison(claims).write(links[0])
+            again = write_meeting_again(claims, item.relation, now)
+            return again or _first_meeting(claims, item.relation, now)
         case AtRest(body):
             quantity = staged(scene.problem, Quantity("velocity", (body,)), now)
             link = Link(quantity, "=", ZERO)

@@ -33,7 +33,7 @@ from restitution.expression.tree import (
 from restitution.oracle.roles import REAL
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.inequalities.claims import Claims
-from restitution.planning.inequalities.comparisons import Comparison
+from restitution.planning.inequalities.coming_back import write_meeting_again
 from restitution.planning.inequalities.extrema import write_extremum
 from restitution.planning.inequalities.ranges import only_answer, relation_of, write_range
 from restitution.planning.routes.order import Solver
@@ -42,7 +42,6 @@ from restitution.planning.writing.forms import UnwrittenError, product, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
-from restitution.solving.equations.facts import comes_back
 from restitution.solving.equations.solution import ItemResult
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -108,12 +107,9 @@ class _Refutation:
         with Claims(self.scene, self.solver) as claims:
             if isinstance(relation, Meets) and not self.numbers:
                 other = replace(relation, happens=not relation.happens)
-                names = relation.first.name, relation.second.name
-                returns = relation.happens and comes_back(self.scene.model.story, *names, self.now)
-                links = () if returns else links_of(self.scene.problem, other, self.now)
-                for link in links:
-                    line, _ = Comparison(claims).write(link)
-                    self.note((line,))
+                true = write_meeting_again(claims, other, self.now)
+                if true is not None:
+                    self.note((true[0],))
                     return
             trees = list(self._trees())
             lines: list[int] = []

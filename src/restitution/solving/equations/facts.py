@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 import sympy as sp
@@ -276,18 +277,31 @@ def comes_back(story: Story, one: str, other: str, now: int) -> bool:
     return bool(met) and bool(_rebounds(story, met[-1], one, other, now))
 
 
+@dataclass(frozen=True)
+class _Rebound:
+    """A sphere that may come back to another from the wall ahead of it, along their line.
+
+    ``heading`` is how fast it moves to the wall, ``back`` how fast it comes from there, and
+    ``closing`` how fast both approach after that.
+    """
+
+    heading: Scalar
+    back: Scalar
+    closing: Scalar
+
+
 def _rebounds(
     story: Story, event: Happening, one: str, other: str, now: int
-) -> list[tuple[Scalar, Scalar]]:
+) -> tuple[_Rebound, ...]:
     """The rebounds, of either of two spheres, by which they may meet again."""
     pairs = ((one, other), (other, one))
-    return [rebound for pair in pairs for rebound in _rebound(story, event, *pair, now)]
+    return tuple(rebound for pair in pairs for rebound in _rebound(story, event, *pair, now))
 
 
 def _rebound(
     story: Story, event: Happening, ahead: str, behind: str, now: int
-) -> Iterator[tuple[Scalar, Scalar]]:
-    """How fast a sphere moves to the wall ahead of it, and how fast both approach after that.
+) -> Iterator[_Rebound]:
+    """How a sphere comes back from the wall ahead of it.
 
     Nothing where the sphere has hit no wall on their line that lies beyond it, or is seen not to
     move towards that: it comes back with the coefficient with which it came back before.
@@ -306,35 +320,60 @@ def _rebound(
         return
     pace = story.velocity(ahead, now)
     heading = pace.dot(away)
-    if story.field.exact and sp.sympify(heading, strict=True).is_nonpositive:
-        return  # which of the two it is, away from the wall or at rest, is open
-    if story.sign(heading) not in (0, -1):
-        yield heading, (story.velocity(behind, now) + pace * walls[-1].e).dot(away)
+    if not _is_never_positive(story, heading):
+        back = (pace * walls[-1].e).dot(away)
+        yield _Rebound(heading, back, story.velocity(behind, now).dot(away) + back)
 
 
 def _met_after_a_rebound(
     relation: Meets,
     story: Story,
     approach: Scalar,
-    rebounds: Sequence[tuple[Scalar, Scalar]],
+    rebounds: Sequence[_Rebound],
     reason: str,
     refused: str,
 ) -> list[Requirement]:
     """What two spheres need to meet, or not to meet, where one may come back from a wall."""
-    if relation.happens:
-        if story.sign(approach) in (1, None) or len(rebounds) > 1:
-            return [Condition(approach, ">", reason, "fact")]
-        return [Condition(value, ">", reason, "fact") for value in rebounds[0]]
-    apart = [Condition(-approach, ">=", refused, "fact")]
+    sure = [_proved_sign(story, own.heading) == 1 for own in rebounds]
+    if len(rebounds) > 1 and all(sure):
+        # Each goes to its own wall: who comes back from there meets the other.
+        back = sum(own.back for own in rebounds)
+        if relation.happens:
+            return [Condition(back, ">", reason, "fact")]
+        return [Condition(-back, ">=", refused, "fact")]
+    if not relation.happens:
+        pairs = ((own.heading, own.closing) for own in rebounds)
+        apart = (
+            AnyOf(tuple(Condition(-e, ">=", refused, "fact") for e in option), refused, "fact")
+            for option in pairs
+        )
+        return [Condition(-approach, ">=", refused, "fact"), *apart]
+    if len(rebounds) > 1:
+        return [Condition(approach, ">", reason, "fact")]
+    (own,) = rebounds
+    if sure[0]:
+        return [Condition(own.closing, ">", reason, "fact")]  # who catches up meets it sooner
+    if _is_never_positive(story, approach):
+        return [Condition(value, ">", reason, "fact") for value in (own.heading, own.closing)]
+    options = ((approach, own.heading), (approach, own.closing))
     return [
-        *apart,
-        *(
-            AnyOf(
-                tuple(Condition(-value, ">=", refused, "fact") for value in pair), refused, "fact"
-            )
-            for pair in rebounds
-        ),
+        AnyOf(tuple(Condition(e, ">", reason, "fact") for e in option), reason, "fact")
+        for option in options
     ]
+
+
+def _proved_sign(story: Story, x: Scalar) -> int | None:
+    """The sign of a scalar where it is certain: nothing is taken for granted by that."""
+    if isinstance(story.unknowns, Letters):
+        return story.unknowns.proved_sign(sp.sympify(x, strict=True), story.conditions)
+    return story.sign(x)
+
+
+def _is_never_positive(story: Story, x: Scalar) -> bool:
+    """Whether it is certain that a scalar is negative or zero."""
+    if story.field.exact and sp.sympify(x, strict=True).is_nonpositive:
+        return True
+    return _proved_sign(story, x) in (0, -1)
 
 
 def _leave_their_line(story: Story, event: Happening, one: str, other: str, now: int) -> bool:

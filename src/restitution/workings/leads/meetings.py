@@ -5,10 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from restitution.explaining.data.meeting_again import returning
 from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation, equality
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.expression.tree import Binary, Letter, Name, Quantity, Unit
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    Unit,
+    is_quantity,
+    walk,
+)
 from restitution.problem import Meets, Show
 from restitution.render.layout import Layout
 from restitution.workings.naming.ends import Ends
@@ -29,6 +40,13 @@ _BEHIND: dict[SentenceId, SentenceId] = {
     "collide-again.unless": "collide-again.unless-behind",
     "meeting.collide": "meeting.collide-behind",
     "meeting.apart": "meeting.apart-behind",
+}
+# That spheres meet by way of a wall, or do not: as a comparison, and as an inequality.
+_RETURNS: dict[tuple[bool, bool], SentenceId] = {
+    (True, False): "return.collide-when",
+    (True, True): "return.collide-if",
+    (False, False): "return.apart-when",
+    (False, True): "return.apart-if",
 }
 
 
@@ -103,6 +121,26 @@ def passing_of(relation: Meets, fact: Fact, naming: Naming) -> Sentence | None:
     return say(name, body=body, wall=wall, line=line, axis=coordinate[beside])
 
 
+def returning_of(
+    relation: Meets, fact: Fact, naming: Naming, *, inequality: bool = True
+) -> Sentence | None:
+    """When spheres meet as one comes back from a wall; None of a fact that tells of none."""
+    link = fact.relation.options[0][0]
+    stages = [
+        node.stage
+        for node in walk(link.left)
+        if is_quantity(node, "velocity") and isinstance(node.stage, int)
+    ]
+    if not isinstance(link.left, Binary) or not stages:
+        return None
+    back = returning(naming.problem, relation, max(stages))
+    if back is None:
+        return None
+    one, other = relation.first.name, relation.second.name
+    name = _RETURNS[relation.happens, inequality]
+    return say(name, one=one, other=other, body=back.returning, wall=back.wall)
+
+
 def closing_of(relation: Meets, naming: Naming) -> Sentence | None:
     """That the gap between spheres closes, or does not, where it was claimed otherwise."""
     pair = {relation.first.name, relation.second.name}
@@ -121,9 +159,7 @@ def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tup
         line = derivation.line(end.line)
         if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
             continue
-        sentence = condition_of(asked.relation, naming, inequality=False)
-        if sentence is not None:
-            yield _first(derivation, line), sentence
+        yield from _meeting(derivation, asked.relation, line, ends.events_before(end.item), naming)
     for note in derivation.notes:
         asked = ends.item(note.item)
         line = derivation.line(max(note.lines, default=0))
@@ -131,21 +167,60 @@ def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tup
             continue
         if note.kind == "refuted" and not note.instance and line.item == note.item:
             true = replace(asked.relation, happens=not asked.relation.happens)
-            sentence = condition_of(true, naming, inequality=False)
-            if sentence is not None:
-                yield _first(derivation, line), sentence
+            yield from _meeting(derivation, true, line, ends.events_before(note.item), naming)
 
 
-def _first(derivation: Derivation, line: Line) -> int:
-    """The line of a difference on which a comparison rests; without one the comparison."""
+def _meeting(
+    derivation: Derivation, relation: Meets, last: Line, events: int, naming: Naming
+) -> Iterator[tuple[int, Sentence]]:
+    """The line in which a meeting begins to be shown, and when it happens."""
+    first = _first(derivation, last)
+    match last.relation:
+        case Relation(((*_, Link(Binary("+", _, back), sign, _)),)):
+            own = returning(naming.problem, relation, events)
+            if own is None:
+                return
+            speed = _speed(derivation, first)
+            side = Negate(back) if (sign[0] == "<") == relation.happens else back
+            slots = {
+                "one": relation.first.name,
+                "other": relation.second.name,
+                "body": own.returning,
+                "wall": own.wall,
+                "speed": naming.layout(side if speed is None else speed[1]),
+            }
+            towards = len(last.relation.options[0]) > 1
+            met: SentenceId = "return.collide" if towards else "return.collide-back"
+            name: SentenceId = met if relation.happens else "return.apart"
+            yield (first if speed is None else speed[0]).number, say(name, **slots)
+            return
+    sentence = condition_of(relation, naming, inequality=False)
+    if sentence is not None:
+        yield first.number, sentence
+
+
+def _speed(derivation: Derivation, gap: Line) -> tuple[Line, Expression] | None:
+    """The line on which that of a gap rests that says with which speed a sphere comes back."""
+    for ref in gap.premises:
+        own = derivation.line(ref)
+        if own is None or own.item != gap.item:
+            continue
+        match own.relation:
+            case Relation(((Link(Binary("*") | Negate(Binary("*")) as speed, "=", _), *_),)):
+                return own, speed
+    return None
+
+
+def _first(derivation: Derivation, line: Line) -> Line:
+    """The line of a difference or sum on which a comparison rests; without one the comparison."""
     for ref in line.premises:
         own = derivation.line(ref)
         if own is None or own.item != line.item:
             continue
         match own.relation:
-            case Relation(((Link(Binary("-"), "=", _), *_),)):
-                return own.number
-    return line.number
+            case Relation(((Link(Binary("-" | "+"), "=", _), *_),)):
+                return own
+    return line
 
 
-__all__ = ["closing_of", "condition_of", "meetings", "passing_of"]
+__all__ = ["closing_of", "condition_of", "meetings", "passing_of", "returning_of"]

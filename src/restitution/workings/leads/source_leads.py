@@ -38,7 +38,7 @@ from restitution.planning.writing.forms import total, tree_of
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.leads.lines_around import LinesAround
-from restitution.workings.leads.meetings import condition_of, passing_of
+from restitution.workings.leads.meetings import condition_of, passing_of, returning_of
 from restitution.workings.naming.facts import fact_in_words, meeting_of
 from restitution.workings.naming.quantities import with_article
 from restitution.workings.naming.sources import Source, is_multiple
@@ -351,8 +351,9 @@ class SourceLeads(LinesAround):
         for ref in line.premises:
             fact = self._derivation.fact(ref)
             relation = None if fact is None else meeting_of(self._naming, fact)
-            if relation is not None:
-                return condition_of(relation, self._naming, inequality=False)
+            if relation is not None and fact is not None:
+                by_a_wall = returning_of(relation, fact, self._naming, inequality=False)
+                return by_a_wall or condition_of(relation, self._naming, inequality=False)
         return None
 
     def _meeting(self, name: str, line: Line) -> Sentence | None:
@@ -361,11 +362,12 @@ class SourceLeads(LinesAround):
         relation = None if fact is None else meeting_of(self._naming, fact)
         if relation is None or fact is None:
             return None
-        passing = passing_of(relation, fact, self._naming)
-        if passing is not None:
-            return passing
-        sentence = self._of_letter(line)
-        return condition_of(relation, self._naming, inequality=True, written=sentence)
+        for of_fact in (passing_of, returning_of):
+            sentence = of_fact(relation, fact, self._naming)
+            if sentence is not None:
+                return sentence
+        written = self._of_letter(line)
+        return condition_of(relation, self._naming, inequality=True, written=written)
 
     def _of_letter(self, line: Line) -> lay.Layout | None:
         """``v < 0``, where a line says that of the value of the letter."""

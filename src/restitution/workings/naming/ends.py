@@ -228,6 +228,11 @@ class Ends:
         """An item by its name in the working."""
         return self._asked.get(name)
 
+    def events_before(self, name: str) -> int:
+        """How many events are told before an item."""
+        asked = self.item(name)
+        return next((e for step, e, _ in self._problem.timeline() if step is asked), 0)
+
     def text(self, item: str) -> str:
         """An item as it was typed."""
         known = self._asked.get(item)

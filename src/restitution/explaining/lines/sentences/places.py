@@ -182,6 +182,34 @@ SENTENCES: Mapping[str, str] = {
         "In the direction of {axis}, {behind} is behind {ahead}, so they do not collide again if "
         "the component of {behind} is at most that of {ahead}."
     ),
+    "return.collide": (
+        "{one} and {other} collide again if {body} moves towards {wall} and the gap between them "
+        "closes as it comes back with speed {speed}."
+    ),
+    "return.collide-back": (
+        "{one} and {other} collide again if the gap between them closes as {body} comes back from "
+        "{wall} with speed {speed}."
+    ),
+    "return.apart": (
+        "{one} and {other} do not collide again if the gap between them does not close as {body} "
+        "comes back from {wall} with speed {speed}."
+    ),
+    "return.collide-when": (
+        "{one} and {other} collide again if the gap between them closes as {body} comes back from "
+        "{wall}."
+    ),
+    "return.apart-when": (
+        "{one} and {other} do not collide again if the gap between them does not close as {body} "
+        "comes back from {wall}."
+    ),
+    "return.collide-if": (
+        "{one} and {other} collide again if the gap between them closes as {body} comes back from "
+        "{wall}:"
+    ),
+    "return.apart-if": (
+        "{one} and {other} do not collide again if the gap between them does not close as {body} "
+        "comes back from {wall}:"
+    ),
     "condition.towards-if": (
         "{body} hits {wall}{again} if it moves towards {wall}, that is, if {told}:"
     ),
