@@ -64,8 +64,7 @@ def working(text: str) -> str:
         (
             STORY.format(6, "collide again"),
             (
-                "P and Q collide again if Q moves towards W and the gap between them closes as it "
-                "comes back with speed ½w₃.",
+                "if Q moves towards W and the gap between them closes as it comes back with speed",
                 "> 0 v₃ + ½w₃ > 0 So P and Q will collide again, as required.",
             ),
         ),
@@ -90,8 +89,7 @@ def working(text: str) -> str:
         (
             GIVEN.format("collide"),
             (
-                "A and B collide again if the gap between them closes as B comes back from W: "
-                "(1 − 9f)u/16 + 3(1 − f)fu/16 > 0",
+                "the gap between them closes as B comes back from W: (1 − 9f)u/16 + 3(1 − f)fu/16",
                 "0 ≤ f < (2√3 − 3)/3",
             ),
         ),

@@ -381,3 +381,21 @@ find range of u
 """
     shown = to_text(explain(solve(parse(text))))
     assert "u = 3√((m + 5)/(m + 3))" in shown
+
+
+def test_an_event_of_a_later_part_is_no_condition_of_an_earlier_one() -> None:
+    text = """
+    wall F: from (0, 0) to (5, 0)
+    wall C: from (0, 2) to (9, 2)
+    sphere P: at (0, 2), velocity u at -theta
+    P hits F
+    part a
+    find range of tan(theta)
+    part b
+    P hits C
+    find position(P)
+    """
+    problem = parse(text)
+    derivation = plan(solve(problem), partial=True)
+    assert [note.kind for note in derivation.notes] == []
+    assert follow(derivation, Oracle(roles(problem))) == ()

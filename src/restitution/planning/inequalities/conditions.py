@@ -111,7 +111,7 @@ class Conditions:
         """What has to be, or there are no such impacts, in letters."""
         if not self._stand(self._story):
             facts = (fact for fact in self.scene.desk.facts if fact.id.startswith(_OF_THE_STORY))
-            own = (fact for fact in facts if self.scene.desk.holds(fact.id))
+            own = (e for e in facts if self.scene.desk.holds(e.id) and not self._is_of_later(e))
             self._story = self._written(own, wanted)
         return [*(self._story or ())]
 
@@ -138,13 +138,18 @@ class Conditions:
         desk = self.scene.desk
         # A sense that is given goes first: a speed is a component, or what is opposite to it.
         for fact in sorted(desk.facts, key=lambda fact: not fact.id.startswith("sense ")):
-            if not desk.holds(fact.id):
+            if not desk.holds(fact.id) or self._is_of_later(fact):
                 continue
             if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
                 continue
             link = fact.relation.options[0][0]
             if (link.sign in _BOUNDED and self._speaks_of_motion(fact)) or _is_a_sense(fact):
                 yield fact
+
+    def _is_of_later(self, fact: Fact) -> bool:
+        """Whether a fact of the story is of an event that comes after what is asked now."""
+        word, _, number = fact.id.rpartition(" ")
+        return f"{word} " in (*_OF_THE_STORY, "within ") and int(number) > self.scene.events
 
     def _speaks_of_motion(self, fact: Fact) -> bool:
         """Whether a relation is about a quantity, or a letter for an angle of the motion."""
