@@ -8,10 +8,13 @@ import json
 import pytest
 from commands import run
 
+from restitution import parse, solve
 from restitution.cli import marking
 from restitution.cli.asking import Answer
 from restitution.cli.marking import Scripts
-from restitution.export.marking import Workings
+from restitution.errors import TimeLimitError
+from restitution.export.marking import Workings, written
+from restitution.practice.marking import marking as marking_of_parts
 
 QUESTION = """sphere A: mass 2, velocity 3i + 2j
 sphere B: mass 4, velocity -i + j
@@ -80,6 +83,28 @@ def test_each_script_of_a_folder_has_the_time_of_one(folder, monkeypatch):
         marking.mark(None, scripts, 10.0)
     marking.mark(None, scripts, None)
     assert limits == [10.0, 20.0, None]
+
+
+def test_parts_that_are_marked_are_kept_where_the_time_ends_in_a_later_one(monkeypatch):
+    """The clock stops at the second part that is marked, as if that took all the time."""
+    solution = solve(parse(QUESTION))
+    seen = []
+
+    def marked(solution, script, label, *rest):
+        seen.append(label)
+        if len(seen) == 2:
+            raise TimeLimitError("stopped")
+        return real(solution, script, label, *rest)
+
+    real = marking_of_parts._marked
+    monkeypatch.setattr(marking_of_parts, "_marked", marked)
+    script = f"(a)\n{GOOD}(b)\nKE lost = 8\n"
+    for part, late in ((None, ("ann.txt, part (b)",)), ("b", ())):
+        seen.clear()
+        task = Workings((("ann.txt", script),), (), part, "", 1, "json", 80)
+        text, left_out = written(solution, task, 60.0)
+        (line,) = text.splitlines()
+        assert (json.loads(line)["part"], left_out) == (part or "a", late)
 
 
 def test_a_folder_is_one_table(folder):

@@ -182,6 +182,16 @@ def test_what_is_interrupted_is_left_open(tmp_path, monkeypatch):
     assert kept["open"]["seed"] == 1
 
 
+def test_what_is_typed_outlives_a_crash(tmp_path, monkeypatch):
+    path = tmp_path / "mine.json"
+    lines = iter(["speed = 2", "speed = 3"])
+    monkeypatch.setattr(practising, "_line", lambda prompt: next(lines))
+    with pytest.raises(StopIteration):
+        practising.practise(practising.Practising("wall-forward", 1, 1, state=str(path)))
+    opened = json.loads(path.read_text())["open"]
+    assert opened["progress"]["draft"] == ["speed = 2", "speed = 3"]
+
+
 PARTED = ("practise", "sphere-at-rest", "--level", "2", "--seed", "1", "--state")
 
 
@@ -241,6 +251,18 @@ find velocity(P)
 part b
 find impulse
 """
+
+
+def test_one_like_a_statement_is_practised(tmp_path):
+    (tmp_path / "ball.impact").write_text(TEACHER)
+    typed = b"next\nquit\n"
+    arguments = ("practise", "--like", "ball.impact", "--seed", "1")
+    status, output, _ = run(*arguments, stdin=typed, cwd=tmp_path)
+    assert status == 0
+    for seed in (1, 2):
+        assert f"--- Like ball.impact, seed {seed} ---\n\nA smooth uniform sphere" in output
+    assert output.endswith("Go on with: restitution practise --like ball.impact --seed 2\n")
+    assert run(*arguments, "--state", "mine.json", cwd=tmp_path)[0] == 2
 
 
 def test_a_variant_has_other_numbers_and_the_same_words():

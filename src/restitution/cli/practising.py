@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING
@@ -18,6 +19,7 @@ from restitution.records import dataclass
 if TYPE_CHECKING:
     from restitution.practice.questions.generate import PracticeQuestion
     from restitution.practice.questions.session import Conversation, Progress, State, Wanted
+    from restitution.problem import Problem
 
 _SEEDS = 1_000_000  # of those that are taken where none is wanted
 
@@ -71,14 +73,39 @@ def practise(asked: Practising) -> int:
 
 
 def _like(asked: Practising, file: str) -> int:
+    """One like a statement, to be written down; without a file for it, to be practised."""
     from restitution.practice.questions.varying import variant
 
-    text = read(file)
-    problem = parse(text)
-    varied = variant(problem, _seed(asked))
+    problem = parse(read(file))
+    seed = _seed(asked)
+    varied = variant(problem, seed)
     for note in varied.notes:
         say(f"{shown_name(file)}: {note}")
+    if asked.output is None and file != "-":
+        return _hold_like(file, problem, seed)
     write_file(asked.output or "-", varied.statement.encode(), [] if file == "-" else [file])
+    return 0
+
+
+def _hold_like(file: str, problem: Problem, seed: int) -> int:
+    """Questions like a statement, one after the other, until the user ends it."""
+    from restitution.practice.questions.generate import PracticeQuestion
+    from restitution.practice.questions.session import GUIDE, Conversation
+    from restitution.practice.questions.varying import variant
+
+    width = min(terminal_width(), 80)
+    put(f"{GUIDE}\n\n")
+    try:
+        while True:
+            put(f"--- Like {shown_name(file)}, seed {seed} ---\n\n")
+            question = PracticeQuestion("", 0, seed, variant(problem, seed).statement)
+            if Conversation(question, _line, _shown, width).hold() == "quit":
+                break
+            seed += 1
+    except KeyboardInterrupt:
+        put("\n")
+    again = f"restitution practise --like {shown_name(file)} --seed {seed}"
+    put(f"Good-bye. Go on with: {again}\n")
     return 0
 
 
@@ -146,7 +173,8 @@ def _hold(asked: Practising, kept: _State) -> int:
         while True:
             _leave_open(kept, question, progress)
             put(f"{_heading(question)}\n\n")
-            conversation = Conversation(question, _line, _shown, width, progress)
+            keep = partial(_leave_open, kept, question, progress)
+            conversation = Conversation(question, _line, _shown, width, progress, keep=keep)
             outcome = conversation.hold()
             if outcome == "quit" and not conversation.ended:
                 _leave_open(kept, question, progress)

@@ -292,10 +292,15 @@ def serve(job: Job) -> Reply:
             from restitution.export.marking import written as marked
 
             try:
-                text = marked(solution, workings)
+                text, left_out = marked(solution, workings, _left(job.limit, began, _SHOWING))
             except StatementError as error:  # in the letters, or in what is said to be an answer
                 return Reply(None, False, (error,), unreadable=True)
-            return Reply(text, True, (), tuple(reply["warnings"]), tired=tired)
+            unmarked = tuple(
+                TimeLimitError(f"{name}: not marked within the time limit of {job.limit or 0:g} s")
+                for name in left_out
+            )
+            tired |= bool(left_out)
+            return Reply(text, not left_out, unmarked, tuple(reply["warnings"]), tired=tired)
         case Drawing(event):
             from restitution.export.pictures import picture
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 import csv
 import io
 import json
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any, Literal
 
-from restitution.errors import RestitutionError, StatementError
+from restitution.errors import RestitutionError, StatementError, TimeLimitError
 from restitution.problem import require_part
 from restitution.records import dataclass
+from restitution.work import limited
 
 if TYPE_CHECKING:
     from restitution.practice.marking.answers import AnswerMark
@@ -42,25 +44,38 @@ class Workings:
     width: int = 80
 
 
-def written(solution: Solution, task: Workings) -> str:
-    """What is said of the workings, in the form asked for.
+def written(
+    solution: Solution, task: Workings, seconds: float | None = None
+) -> tuple[str, tuple[str, ...]]:
+    """What is said of the workings, in the form asked for, and what there was no time to mark.
 
-    Raises StatementError for letters or answers that cannot be read, and the error of a part that
-    has no answer.
+    Of the ``seconds`` each working has its share, and what those before it leave. Raises
+    StatementError for letters or answers that cannot be read, the error of a part that has no
+    answer, and TimeLimitError where nothing is marked in time.
     """
     from restitution.practice.marking.answers import mark_answers
 
     if task.answers:
-        return _of_answers(mark_answers(solution, task.answers, task.part), task.form)
+        return _of_answers(mark_answers(solution, task.answers, task.part), task.form), ()
     letters = _letters(task.letters, solution)
     unattempted = cache(lambda label: _unattempted(solution, label, task.hints))
-    rows = [
-        (name, marking)
-        for name, text in task.workings
-        for marking in (
-            [None] if text is None else _marked(solution, text, task, letters, unattempted)
+    rows: list[tuple[str, Marking | None]] = []
+    late: list[str] = []
+    began = time.monotonic()
+    for number, (name, text) in enumerate(task.workings, 1):
+        until = None if seconds is None else began + seconds * number / len(task.workings)
+        clock = _Clock(name, until, late)
+        markings = (
+            [] if text is None else _marked(solution, text, task, letters, unattempted, clock)
         )
-    ]
+        rows += [(name, marking) for marking in markings] or [(name, None)]
+    if late and not any(marking for _, marking in rows):
+        raise TimeLimitError(f"{late[0]}: not marked within the time limit")
+    return _in_form(solution, task, rows), tuple(late)
+
+
+def _in_form(solution: Solution, task: Workings, rows: Sequence[tuple[str, Marking | None]]) -> str:
+    """What is said of workings that are marked."""
     if task.form == "csv":
         return table(rows)
     marked = [(name, marking) for name, marking in rows if marking is not None]
@@ -162,22 +177,54 @@ def _letters(text: str, solution: Solution) -> Mapping[str, Any]:
     return letters_from_text(text, solution.problem)
 
 
+@dataclass(frozen=True)
+class _Clock:
+    """Until when a working is marked, and the list of parts for which there was no time."""
+
+    name: str
+    until: float | None
+    late: list[str]
+
+    def marking(self, label: str | None, mark: Callable[[], Marking | None]) -> Marking | None:
+        """The marking of a part; None where the time ends before."""
+        left = None if self.until is None else max(0.0, self.until - time.monotonic())
+        try:
+            with limited(left):
+                return mark()
+        except TimeLimitError:
+            self.late.append(self.name if label is None else f"{self.name}, part ({label})")
+            return None
+
+
 def _marked(
     solution: Solution,
     text: str,
     task: Workings,
     letters: Mapping[str, Any],
     unattempted: Callable[[str | None], Marking | None],
-) -> Sequence[Marking]:
-    """The markings of all parts of a working: a part that it does not attempt has no marks."""
-    from restitution.practice.marking.marking import mark, mark_parts
+    clock: _Clock,
+) -> list[Marking]:
+    """The markings of all parts of a working: a part that it does not attempt has no marks.
 
-    if task.part is not None:
-        return (mark(solution, text, task.part, letters, hints=task.hints),)
+    A part for which there is no time has none either; those before it keep theirs.
+    """
+    from restitution.practice.marking.marking import mark, markings_of_parts
+
+    part = task.part
+    if part is not None:
+        marked = partial(mark, solution, text, part, letters, hints=task.hints)
+        marking = clock.marking(part, marked)
+        return [] if marking is None else [marking]
     attempted = {
-        marking.part: marking for marking in mark_parts(solution, text, letters, hints=task.hints)
+        label: clock.marking(label, marked)
+        for label, marked in markings_of_parts(solution, text, letters, hints=task.hints)
     }
-    markings = (attempted.get(label) or unattempted(label) for label in solution.parts)
+    markings = [
+        attempted[label]
+        if label in attempted
+        else clock.marking(label, partial(unattempted, label))
+        for label in solution.parts
+    ]
     return [marking for marking in markings if marking is not None]
 
 
@@ -187,6 +234,8 @@ def _unattempted(solution: Solution, part: str | None, hints: int) -> Marking | 
 
     try:
         marking = mark(solution, "", part, hints=hints)
+    except TimeLimitError:
+        raise
     except RestitutionError:
         return None  # it has no answer
     return marking if marking.marks.of else None

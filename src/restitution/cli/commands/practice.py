@@ -27,6 +27,7 @@ PRACTISE = """Practise: a question in words, your working read and marked, the n
     restitution practise --topics
     restitution practise --state mine.json
     restitution practise spheres-vectors --seed 3 -o question.impact
+    restitution practise --like ball.impact
     restitution practise --like ball.impact --seed 1 -o another.impact
 
 The same topic, level and seed give the same question everywhere. With --state,
@@ -74,7 +75,7 @@ def practise(
     topics: Annotated[bool, typer.Option("--topics", help="List the topics.")] = False,
     like: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="Vary the numbers of this statement."),
+        typer.Option(metavar="FILE", help="One like this statement, with other numbers."),
     ] = None,
     output: Annotated[
         str | None,
@@ -96,6 +97,8 @@ def practise(
         raise typer.BadParameter(
             "a question like another has its topic and its level", param_hint="--like"
         )
+    if like is not None and state is not None:
+        raise typer.BadParameter("a question like another is kept in no file", param_hint="--state")
     asked = practising.Practising(topic, level, seed, like, output, state, mistake)
     with refusing(), interruptible():
         status = practising.practise(asked)

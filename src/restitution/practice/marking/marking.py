@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from restitution.errors import MissingError, RestitutionError, StatementError, require
 from restitution.explaining.mistakes.consequences import altered_world
@@ -93,11 +94,24 @@ def mark_parts(
     A working that opens none is one of the first part.
     """
     solution = _solved(question, "mark_parts")
+    markings = markings_of_parts(solution, working, letters, hints=hints)
+    return tuple(marking() for _, marking in markings)
+
+
+def markings_of_parts(
+    solution: Solution,
+    working: Working,
+    letters: Mapping[str, Meant] | None = None,
+    *,
+    hints: int | Mapping[int | None, int] = 0,
+) -> Iterator[tuple[str | None, Callable[[], Marking]]]:
+    """The label of every part that a working opens, and what marks it when it is called."""
     script = read_working(working, solution.problem, letters or ())
     opened = {line.part for line in script.lines}
     labels = [label for label in _labels(solution) if label in opened] or _labels(solution)[:1]
     judged: dict[str | None, Judgement] = {}
-    return tuple(_marked(solution, script, label, letters, hints, judged) for label in labels)
+    for label in labels:
+        yield label, partial(_marked, solution, script, label, letters, hints, judged)
 
 
 def _solved(question: Problem | Solution, taker: str) -> Solution:

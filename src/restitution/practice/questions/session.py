@@ -202,11 +202,16 @@ def another(question: PracticeQuestion) -> PracticeQuestion:
 # --- one question -------------------------------------------------------------------------------
 
 
+def _nothing_to_keep() -> None:
+    """What keeps a conversation that is kept nowhere."""
+
+
 @dataclass
 class Conversation:
     """One question being worked on.
 
-    ``read`` gives the next line, or None at the end of the input; ``write`` shows a text.
+    ``read`` gives the next line, or None at the end of the input; ``write`` shows a text, and
+    ``keep`` is called whenever the progress is another.
     """
 
     question: PracticeQuestion
@@ -217,6 +222,7 @@ class Conversation:
     first: dict[str | None, Marking] = field(default_factory=dict)
     hinted: tuple[str, ...] = ()
     ended: bool = False
+    keep: Callable[[], None] = _nothing_to_keep
 
     @property
     def lines(self) -> dict[str | None, list[str]]:
@@ -235,6 +241,7 @@ class Conversation:
         for label in labels or [None]:
             if label != self.progress.part:
                 self.progress.part, self.progress.draft = label, []
+                self.keep()
             outcome = self._part(label)
             if outcome is not None:
                 return outcome
@@ -266,6 +273,7 @@ class Conversation:
             elif draft:
                 marking, handed_in = self._mark(label, list(draft), 0), True
                 draft.clear()
+                self.keep()
                 if marking is not None and marking.marks.earned == marking.marks.of:
                     return None
                 self.write("Try again, or an empty line to go on. (hint, show)")
@@ -287,6 +295,7 @@ class Conversation:
             if word is not None:
                 return word
             draft.append(line)
+            self.keep()
 
     def _mark(self, label: str | None, typed: list[str], hints: int) -> Marking | None:
         """The marks of a part, shown but for hints; None where it cannot be marked, as is told."""
