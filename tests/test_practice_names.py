@@ -328,7 +328,7 @@ def test_a_sign_in_the_momentum_of_a_later_impact_has_its_name() -> None:
 
 def test_a_blow_given_the_sum_of_two_velocities_has_a_wrong_sign() -> None:
     statement = "sphere P: mass 3, velocity 2i - j\nP receives 9i + 6j\nfind speed(P)"
-    assert names(statement, "3(v + 2i - j) = 9i + 6j", v="velocity(P, 1)") == ["impulse-sign"]
+    assert names(statement, "3(v + 2i - j) = 9i + 6j", v="velocity(P, 1)") == ["sign"]
     assert names(statement, "3(v - 2i + j) = 9i + 6j", v="velocity(P, 1)") == [None]
 
 

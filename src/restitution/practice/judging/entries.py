@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
@@ -89,8 +89,11 @@ def same_relation(one: Claim, other: Claim) -> bool:
 def is_root_of(claim: Claim, entry: Entry) -> Claim | None:
     """What an earlier equation says where a letter has the value of a claim; None where neither.
 
-    ``x = 3`` beside ``x² = 9`` gives ``3² = 9``.
+    ``x = 3`` beside ``x² = 9`` gives ``3² = 9``; so does ``2 - x = -3`` where ``(2 - x)²`` is 9.
     """
+    square = entry.claim.left
+    if is_binary(square, "^") and square.left == claim.left and claim.sign == entry.claim.sign:
+        return replace(entry.claim, left=replace(square, left=claim.right))
     if claim.sign != "=" or not isinstance(claim.left, Letter) or entry.claim.sign != "=":
         return None
     if claim.left.name not in names_of(entry.claim) or entry.is_value:

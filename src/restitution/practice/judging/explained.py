@@ -54,6 +54,11 @@ class Explained:
         """Whether a mistake has its name from the claim, and not from an altered law."""
         return not mistake.variants or (self.by_sines and mistake.id == "sine-cosine")
 
+    def without(self, mistake: str) -> Explained:
+        """What explains the claim but one misconception."""
+        variants = tuple(variant for variant in self.variants if variant.mistake != mistake)
+        return replace(self, variants=variants, plain=None if self.plain == mistake else self.plain)
+
     def shared_with(self, other: Explained) -> Explained:
         """What explains this claim and another of its line, if anything explains both."""
         ids = {variant.id for variant in other.variants}

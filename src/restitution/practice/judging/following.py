@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, islice
 
 import numpy as np
 
@@ -185,12 +185,13 @@ class Following(NearlyTrue):
         return None
 
     def _with_own_numbers(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """A line that is true with what the student's wrong numbers stand for."""
+        """A line that is true, or follows, with what the student's wrong numbers stand for."""
         for claim in self._in_all_meanings(link, line):
             for own, numbers in self._own_numbers.put_back(claim):
+                worlds = (*self.worlds, *islice(self.students(), 1))
                 # What was rounded above the wrong number is no decimal of this line.
-                grade = self._best_accuracy(own, self.worlds, line, link) or next(
-                    (g for w in self.worlds if (g := self._loosely(own, w, line, link))), None
+                grade = self._best_accuracy(own, worlds, line, link) or next(
+                    (g for w in worlds if (g := self._loosely(own, w, line, link))), None
                 )
                 if grade is not None:
                     return JudgedLink("follows", claim, grade, numbers, right=own)

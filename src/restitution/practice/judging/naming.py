@@ -14,7 +14,6 @@ from itertools import permutations
 
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.mistakes.misconceptions import (
-    MISCONCEPTIONS,
     VariantAt,
     variants_at,
 )
@@ -27,14 +26,23 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_function,
+    is_vector,
     letters,
     unsigned,
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.altered_laws import (
+    contradicts,
+    family_beside,
+    family_of,
+    is_stated,
+    kinds_of,
+    replaces,
+)
 from restitution.practice.judging.angles import adds_two_angles, is_sum_of_angles
 from restitution.practice.judging.certain_letters import is_root_of_a_sum
-from restitution.practice.judging.claimed import holds_in
+from restitution.practice.judging.claimed import has_value, holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
 from restitution.practice.judging.exchanged_components import (
@@ -53,6 +61,10 @@ from restitution.practice.judging.named_results import (
     is_worked_angle,
 )
 from restitution.practice.judging.other_forms import kind_of
+from restitution.practice.judging.partial_energies import (
+    adds_known_numbers,
+    of_a_part,
+)
 from restitution.practice.judging.plain_deflections import (
     is_deflection_as_angle,
     is_given_deflection,
@@ -151,11 +163,15 @@ class Names:
         squares = any(map(is_root_of_a_sum, walk(entry.claim.right)))
         squares = squares and not is_coefficient(entry)  # e may be taken for a ratio of speeds
         law = not squares and is_law_of_speeds(entry, judge.base)
-        unresolved = not self._is_of_impulse(entry) and is_momentum_of_speeds(entry, judge.base)
+        unresolved = not self._is_of_impulse(entry, judge.base) and is_momentum_of_speeds(
+            entry, judge.base
+        )
         of_deflection = is_deflection_as_angle(entry, judge.base)
         of_deflection = of_deflection or is_given_deflection(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         alone = alone or is_turned_loss(entry, judge.base)
+        of_part = of_a_part(entry, judge.base)
+        alone = alone or of_part is not None
         variants = () if alone else self._explaining(entry, judge, mended)
         variants = tuple(v for v in variants if not cannot_be(v, entry, judge.base))
         slip = kind_of_slip(entry, judge, mended)
@@ -165,7 +181,11 @@ class Names:
             variants = tuple(x for x in variants if x.mistake != "momentum-sign")
         of_signs = {variant.mistake for variant in variants} - _OF_SPEEDS
         at_wall = any(variant.event.wall for variant in variants)  # there a sign is the law
-        if of_signs and of_signs <= OF_SIGNS and not (at_wall or self._is_of_impulse(entry)):
+        if (
+            of_signs
+            and of_signs <= OF_SIGNS
+            and not (at_wall or self._is_of_impulse(entry, judge.base))
+        ):
             variants = () if is_slip_of_sign(entry, mended, judge.base) else variants
         if of_signs == {"momentum-sign"} and is_turned_as_a_whole(entry, mended):
             variants = ()  # 4(v - j) = -4i + 8j: which impulse it is of, is not said
@@ -220,13 +240,19 @@ class Names:
             variants, plain = (), None
         if is_coefficient(entry) and families == {"speed-for-component"}:
             variants, plain = (), "restitution-whole-speed"  # the law of no other components
-        plain = None if variants else plain
+        plain = of_part or (None if variants else plain)
+        if plain == "energy-component-missing" and adds_known_numbers(entry, judge.entries):
+            plain = None  # which of them is taken away, and which not, is a sign
         if (blown := of_given_impulse(entry, judge.base)) is not None:
             variants, plain = (), blown
         exchanged = exchanged or is_sine_for_cosine(entry, judge.base)
         if families != {"sine-cosine"} and exchanged:
             variants = tuple(variant for variant in variants if variant.mistake in _OF_ANGLES)
             plain = None if variants else "sine-cosine"
+        vectors = any(map(is_vector, (entry.claim.left, entry.claim.right)))
+        if plain == "impulse-sign" and vectors and not isinstance(entry.claim.left, Letter):
+            # A vector has no size of which the sense is lost: a sign is another.
+            plain, slip, near = None, "sign", near or (Use("impulse"),)
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:
@@ -237,6 +263,10 @@ class Names:
             variants, plain = (), "across-changed"
         if not variants and not plain and slip == "sign" and not (solved or unlike):
             plain = sign_of_a_component(entry, judge.base, mended, near)
+            known = letters(entry.claim.right) <= judge.base.letters.keys()
+            solved_for = isinstance(entry.claim.left, Letter | Quantity) and known
+            if plain is not None and solved_for and is_stated(near[0], judge.stated()):
+                plain = None  # what is wrong is a sign in what is put into that law
             left, right = entry.claim.left, entry.claim.right
             within = any(correction.part not in (left, right) for correction in mended)
             if (
@@ -249,24 +279,24 @@ class Names:
             if is_sum_of_angles(entry) and is_deflection(entry):
                 plain = "deflection-difference"
         signs = any(correction.change == "sign" for correction in mended)
-        signs = signs or any(_replaces(variant, "restitution") for variant in variants)
+        signs = signs or any(replaces(variant, "restitution") for variant in variants)
         if not (plain or plainer or signs) and not any(use.principle in _LAWS for use in uses):
             corrected = with_its_coefficient(entry, judge.base, judge.uses_of_entry)
             if corrected is not None:
                 # The number of a datum is another: of what happens nothing is taken wrongly.
                 return Explained(slip="misread", near=corrected[1], mended=corrected)
-        alone = {*map(_family_of, variants)} <= _OF_ACROSS and is_along_alone(entry)
+        alone = {*map(family_of, variants)} <= _OF_ACROSS and is_along_alone(entry)
         direct = all(is_direct(variant.event.number, judge.base) for variant in variants)
         blow = plain == "mass-omitted" and not is_of_energy(entry)
         impulse = blow or blown is not None or is_impulse(entry.claim.left, entry)
-        known = near if idle else ()
+        beside = near if idle else ()
         shadowed = {variant.id for variant in variants}
         shadowed -= {variant.id for variant in plainer_signs(variants, entry, judge.base)}
         over = is_of_a_journey(entry) and all(
             is_over(variant.event.number, judge.base) for variant in variants
         )
         return Explained(
-            *(variants, slip, at, known, claim, plain),
+            *(variants, slip, at, beside, claim, plain),
             direct=direct,
             of_impulse=impulse,
             along=alone,
@@ -283,18 +313,18 @@ class Names:
         """
         every = [own for own in explained.variants if own.id not in explained.shadowed]
         variants = [variant for variant in every if variant.id in confirmed]
-        plainer = [variant for variant in every if _family_of(variant) in _PLAINER]
-        speeds = variants and all(_family_of(variant) in _OF_SPEEDS for variant in variants)
+        plainer = [variant for variant in every if family_of(variant) in _PLAINER]
+        speeds = variants and all(family_of(variant) in _OF_SPEEDS for variant in variants)
         if speeds:
             # What the speeds of a direct impact are taken for has a plainer name.
             variants += plainer
         open_ = bool(speeds and plainer) and not explained.direct
-        variants = variants or [variant for variant in every if not _contradicts(variant, stated)]
-        if not variants and {*map(_family_of, every)} == {"restitution-whole-speed"}:
+        variants = variants or [variant for variant in every if not contradicts(variant, stated)]
+        if not variants and {*map(family_of, every)} == {"restitution-whole-speed"}:
             variants = list(every)  # who has the component may take e × speed as well
         variants.sort(key=lambda variant: 0 if variant.event.wall else len(variant.laws))
         ids = tuple(dict.fromkeys(variant.id for variant in variants))
-        families = tuple(dict.fromkeys(map(_family_of, variants)))
+        families = tuple(dict.fromkeys(family_beside(variant, stated) for variant in variants))
         if not families and explained.plain:
             return Mistake(explained.plain, "misconception", at=explained.at)
         if not families:
@@ -339,17 +369,17 @@ class Names:
         if entry.claim.sign != "=" or entry.claim.others:
             return ()
         by_states = list(self._without_energy(self._by_states(entry, judge), entry, judge.base))
-        if self._is_of_impulse(entry):
+        if self._is_of_impulse(entry, judge.base):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
-            by_states = [state for state in by_states if "impulse" in _kinds(state)]
+            by_states = [state for state in by_states if "impulse" in kinds_of(state)]
         if is_coefficient(entry):
-            by_states = [state for state in by_states if _replaces(state, "restitution")]
+            by_states = [state for state in by_states if replaces(state, "restitution")]
         if is_worked_angle(entry):
             # A sign within a scalar product, or a tangent, is none of a law.
             by_states = [state for state in by_states if state.mistake not in _OF_SIGNS]
         if is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
-            by_states = [state for state in by_states if _kinds(state) & _OF_ENERGY - {"speed"}]
+            by_states = [state for state in by_states if kinds_of(state) & _OF_ENERGY - {"speed"}]
         if has_half_in_all(entry, judge.base):
             by_states = [state for state in by_states if state.mistake != "energy-no-half"]
         if is_loss(entry):
@@ -359,14 +389,14 @@ class Names:
         parallel = {state.mistake for state in by_states} == {"restitution-parallel"}
         if parallel and is_written_momentum(entry, judge.base):
             worlds = self._worlds(entry, judge)
-            by_states = [state for state in worlds if _replaces(state, "momentum")] or by_states
+            by_states = [state for state in worlds if replaces(state, "momentum")] or by_states
         quoted = "e" in letters(entry.claim.right)
         known = any(map(has_coefficient, self.problem.events)) or quoted
         if not known and is_speed_by_energies(entry, judge.base):
             # Of a coefficient that is still to be found nobody knows the number.
-            by_states = [state for state in by_states if not _replaces(state, "restitution")]
+            by_states = [state for state in by_states if not replaces(state, "restitution")]
         if is_sum_of_angles(entry):
-            by_states = [state for state in by_states if _kinds(state) & ANGLES]
+            by_states = [state for state in by_states if kinds_of(state) & ANGLES]
         if (
             by_states
             and _is_bare(entry)
@@ -384,7 +414,7 @@ class Names:
             return tuple(
                 state
                 for state in by_states
-                if _stands(state, [own for own, law in lawful if _replaces(state, law)])
+                if _stands(state, [own for own, law in lawful if replaces(state, law)])
             )
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
             return ()
@@ -402,7 +432,7 @@ class Names:
             omitted = [state for state in variants if state.mistake == "restitution-omitted"]
             variants = omitted or variants
         if is_coefficient(entry):
-            variants = [variant for variant in variants if _replaces(variant, "restitution")]
+            variants = [variant for variant in variants if replaces(variant, "restitution")]
         last = max((variant.event.number for variant in variants), default=0)
         if any(not variant.event.wall for variant in variants):
             # Behind a later wall it is that wall, and not the spheres' impact before it.
@@ -445,7 +475,7 @@ class Names:
                 if other.event == state.event and other.mistake == "restitution-omitted":
                     yield other
 
-    def _is_of_impulse(self, entry: Entry) -> bool:
+    def _is_of_impulse(self, entry: Entry, world: World) -> bool:
         """Whether a side of a claim is an impulse, or one that the question gives."""
         sides = (entry.claim.left, entry.claim.right)
         given = [value for quantity, value in self.given if quantity.kind == "impulse"]
@@ -453,7 +483,11 @@ class Names:
         if given and meant is not None and kind_of(meant) == "velocity":
             # The velocity of one body, from its own and the impulse that is given.
             return letters(sides[1]).isdisjoint(entry.meanings)
-        return any(is_impulse(side, entry) for side in sides) or any(map(sides.__contains__, given))
+        if any(is_impulse(side, entry) for side in sides) or any(map(sides.__contains__, given)):
+            return True
+        impulses = [quantity for quantity, _ in self.given if quantity.kind == "impulse"]
+        vectors = [side for side in sides if is_vector(side)]  # (-2, -1) for -2i - j
+        return any(has_value(x, side, entry, world) for x in impulses for side in vectors)
 
     def _of_masses(self, entry: Entry, variants: Sequence[VariantAt]) -> Sequence[VariantAt]:
         """The altered laws of a line: of one with masses in it none of restitution, if others fit.
@@ -466,7 +500,7 @@ class Names:
         kept = [
             variant
             for variant in variants
-            if _replaces(variant, "momentum") or not _replaces(variant, "restitution")
+            if replaces(variant, "momentum") or not replaces(variant, "restitution")
         ]
         return kept or variants
 
@@ -510,7 +544,7 @@ class Names:
     def _worlds(self, entry: Entry, judge: JudgedSoFar) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
         energetic = is_energetic(entry)
-        angular, impulsive = is_sum_of_angles(entry), self._is_of_impulse(entry)
+        angular, impulsive = is_sum_of_angles(entry), self._is_of_impulse(entry, judge.base)
         of_energy = is_of_energy(entry) or are_energies(entry)
         fitting = _OF_ENERGY - {"speed"} if of_energy else _OF_ENERGY
         names = letters(entry.claim.left) | letters(entry.claim.right)
@@ -518,14 +552,14 @@ class Names:
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
                 continue
-            kinds = _kinds(variant)
+            kinds = kinds_of(variant)
             if angular and not kinds & ANGLES:
                 continue
             if impulsive and not ("impulse" in kinds or variant.mistake in _OF_ANGLES):
                 continue
             if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue
-            if _contradicts(variant, judge.stated()):
+            if contradicts(variant, judge.stated()):
                 continue
             if with_coefficient and variant.mistake in _WITHOUT_COEFFICIENT:
                 continue
@@ -594,39 +628,6 @@ def _is_bare(entry: Entry) -> bool:
     return isinstance(one, Letter | Quantity) and isinstance(other, Number)
 
 
-def _kinds(variant: VariantAt) -> set[str]:
-    """The principles whose lines a misconception fits."""
-    return set(MISCONCEPTIONS[variant.mistake].kinds)
-
-
-def _family_of(variant: VariantAt) -> str:
-    """The misconception of a variant; at a wall, e × speed is one, whatever it is called."""
-    restitution = any(law.law == "restitution" for law in variant.laws)
-    if variant.mistake == "speed-for-component" and variant.event.wall and restitution:
-        return "restitution-whole-speed"
-    return variant.mistake
-
-
-def _contradicts(variant: VariantAt, stated: Stated) -> bool:
-    """Whether a law that a variant replaces is stated rightly, or momentum at a later impact.
-
-    Who has that has the right velocity from before it.
-    """
-    later = any(
-        principle == "momentum"
-        and event is not None
-        and event > variant.event.number
-        and set(bodies) & set(variant.event.bodies)
-        for principle, event, bodies in stated
-    )
-    return later or any(
-        (law.law, variant.event.number) == (principle, event)
-        and (law.law != "unchanged" or not bodies or set(bodies) & set(law.bodies))
-        for law in variant.laws
-        for principle, event, bodies in stated
-    )
-
-
 def _is_solved_wrongly(entry: Entry, judge: JudgedSoFar) -> bool:
     """Whether a value of a letter stands below a true equation with it, and is solved wrongly."""
     name = entry.claim.left
@@ -690,8 +691,3 @@ def _is_of_a_whole_speed(variant: VariantAt, world: World) -> bool:
     """
     zero = [is_zero(x, world) for x in variant.senses]
     return variant.mistake in _OF_ANGLES and bool(zero) and all(zero)
-
-
-def _replaces(variant: VariantAt, law: str) -> bool:
-    """Whether a variant has another law in place of one."""
-    return any(other.law == law for other in variant.laws)

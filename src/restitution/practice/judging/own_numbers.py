@@ -5,13 +5,14 @@ A line with one of these in it follows where it is true with what stands for it 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
 
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -20,11 +21,13 @@ from restitution.expression.tree import (
     Number,
     children,
     is_binary,
+    letters,
     quantities_in,
     unsigned,
+    unsigned_terms,
     walk,
 )
-from restitution.practice.judging.entries import Meanings
+from restitution.practice.judging.entries import Meanings, is_monomial
 from restitution.practice.script import Claim
 
 _MOST = 3
@@ -51,19 +54,22 @@ def _is_one(tree: Expression) -> bool:
 class OwnNumbers:
     """The wrong numbers of a script so far, each with what it stands for and its line.
 
-    ``factors`` are data by which a student multiplies: masses and coefficients of restitution.
+    ``factors`` are data by which a student multiplies: masses and coefficients of restitution,
+    ``names`` the letters of the question.
     """
 
-    def __init__(self, factors: Iterable[Fraction] = ()) -> None:
+    def __init__(self, factors: Iterable[Fraction] = (), names: Collection[str] = ()) -> None:
+        self._names = frozenset(names)
         own = tuple(factor for factor in factors if factor not in _SMALL)
         self._factors = (*_FACTORS, *own)
         self._data = frozenset(factor for factor in own if factor.denominator > 1)
         self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
         self._behind: dict[Fraction, Expression | None] = {}
         self._terms: dict[Expression, tuple[tuple[Expression, ...], int]] = {}
+        self._shares: dict[Expression, tuple[Expression, int]] = {}
 
     def __bool__(self) -> bool:
-        return bool(self._known or self._terms)
+        return bool(self._known or self._terms or self._shares)
 
     def note(
         self,
@@ -77,7 +83,11 @@ class OwnNumbers:
 
         ``others`` are what a phrase that was meant may mean as well.
         """
-        if is_binary(value, "*", "/") and _letters_in(value) > 1:
+        data = letters(value) <= self._names
+        if data and is_monomial(value) and _marks_of(value):
+            right = _in_meanings(meant, meanings)
+            self._shares[value] = Binary("/", right, value), line
+        if data and isinstance(value, Binary) and letters(value):  # 3 - 2e, u/2
             own = _in_meanings(meant, meanings)
             self._terms[value] = tuple(dict.fromkeys((own, *others)))[:_MEANT], line
         value, meant = _without_root(value, meant)
@@ -86,7 +96,7 @@ class OwnNumbers:
         others = tuple(_without_letters(whole, other)[1] for other in others)
         value, meant = _without_letters(whole, meant)
         size = _size(value)
-        if size is None or size in _SMALL:
+        if not size:
             return
         self._behind[size] = behind
         trees = dict.fromkeys((_in_meanings(meant, meanings), *others))
@@ -125,6 +135,7 @@ class OwnNumbers:
 
     def _put_back(self, claim: Claim) -> Iterator[Put]:
         yield from self._with_terms(claim)
+        yield from self._with_shares(claim)
         sizes = {size for side in (claim.left, claim.right) for size in _sizes(side)}
         if claim.others:
             return
@@ -148,6 +159,22 @@ class OwnNumbers:
             put = dict(zip(own, trees, strict=True))
             left, right = (exchanged(side, put) for side in (claim.left, claim.right))
             yield replace(claim, left=left, right=right), lines
+
+    def _with_shares(self, claim: Claim) -> Iterator[Put]:
+        """A claim with a term that is a multiple of a wrong product as the same of what is right.
+
+        Below ``8 cos 60 = 4√3`` that is ``2 × 4√3``, which has the same roots and letters.
+        """
+        if claim.others:
+            return
+        sides = claim.left, claim.right
+        terms = dict.fromkeys(term for side in sides for term in unsigned_terms(side))
+        for value, (share, line) in [*self._shares.items()][-_MOST:]:
+            own = [x for x in terms if _is_multiple(x, value)]
+            for some in dict.fromkeys(((*own,), *((term,) for term in own))) if own else ():
+                put: dict[Expression, Expression] = {x: Binary("*", x, share) for x in some}
+                left, right = (exchanged(side, put) for side in sides)
+                yield replace(claim, left=left, right=right), (line,)
 
     def _put(self, claim: Claim, meant: Mapping[Fraction, Meant]) -> Iterator[Put]:
         if not meant:
@@ -182,7 +209,7 @@ class OwnNumbers:
     def _made_of(self, number: Fraction) -> Meant | None:
         """What a number stands for that is the square of a wrong one, or a multiple."""
         for size, (trees, _) in self._known.items():
-            if number == size:
+            if number == size or size in _SMALL:
                 continue
             if _is_near(number, size * size):
                 return tuple(Binary("^", tree, _TWO) for tree in trees), (size,)
@@ -201,6 +228,18 @@ def _in_either_sense(tree: Expression) -> Iterator[Expression]:
         yield Negate(tree)
 
 
+def _marks_of(tree: Expression) -> frozenset[Expression]:
+    """The letters of a product, and its roots and other functions, by which it is known."""
+    return frozenset(node for node in walk(tree) if isinstance(node, Letter | Apply))
+
+
+def _is_multiple(term: Expression, value: Expression) -> bool:
+    """Whether a product may be a multiple of another one: it has no other function."""
+    own, others = _marks_of(term), _marks_of(value)
+    functions = {node for node in own if isinstance(node, Apply)}
+    return is_monomial(term) and others <= own and functions <= others
+
+
 def _is_of_energy(tree: Expression) -> bool:
     """Whether a tree is made of energies, or of losses of them, alone."""
     kinds = [quantity.kind for quantity in quantities_in(tree)]
@@ -215,11 +254,6 @@ def _in_meanings(tree: Expression, meanings: Meanings) -> Expression:
         if isinstance(node, Letter) and node.name in meanings
     }
     return exchanged(tree, names)
-
-
-def _letters_in(tree: Expression) -> int:
-    """How many letters stand in a tree."""
-    return sum(isinstance(node, Letter) for node in walk(tree))
 
 
 def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Expression]:

@@ -138,7 +138,7 @@ class OwnValues(Holding):
         self._explained: dict[int, Explained] = {}
         self._stated: set[tuple[str, int | None, tuple[str, ...]]] = set()
         self._own: tuple[int, Sequence[World]] = (-1, ())
-        self._own_numbers = OwnNumbers(_factors_of(self._base.problem))
+        self._own_numbers = OwnNumbers(_factors_of(self._base.problem), self._base.letters.keys())
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
     @property
@@ -365,6 +365,8 @@ class OwnValues(Holding):
         """Whether a product has letters of what the question fixes alone: ``u cos θ``."""
         if not is_binary(tree, "*", "/"):
             return False
+        if letters(tree) <= self._base.letters.keys() - self.question.unknown:
+            return True  # u cos 30
         meanings = self.meanings(line.number)
         own = [
             meanings[name] for name in letters(tree) - self._base.letters.keys() if name in meanings

@@ -211,6 +211,8 @@ def is_whole_speed(entry: Entry, world: World) -> bool:
     meant = unsigned(meant)
     match meant:
         case Quantity("along", (Quantity("velocity", (Name(),) as body, stage), _)):
+            if is_zero(replace(meant, kind="across"), world):
+                return False  # its component is the speed, with a sign
             claim = replace(entry.claim, left=Quantity("speed", body, stage))
             turned = replace(claim, right=Negate(claim.right))
             return any(holds_in(replace(entry, claim=form), world) for form in (claim, turned))

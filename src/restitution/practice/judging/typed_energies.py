@@ -90,7 +90,10 @@ def is_halved(entry: Entry, world: World) -> bool:
         return False
     sides = entry.claim.left, entry.claim.right
     terms = [
-        term for side in sides for term in unsigned_terms(side) if not isinstance(term, Number)
+        term
+        for side in sides
+        for term in unsigned_terms(side)
+        if not isinstance(term, Number | Letter | Quantity)  # no energy is worked out there
     ]
     return bool(terms) and all(map(has_half, terms))
 

@@ -68,7 +68,7 @@ from restitution.practice.judging.supposing import (
     speaks_of_an_extreme,
     supposed_in,
 )
-from restitution.practice.judging.typed_energies import is_loss_of_known
+from restitution.practice.judging.typed_energies import is_halved, is_loss_of_known
 from restitution.practice.judging.unlabelled import Unlabelled, followed
 from restitution.practice.judging.uses import (
     as_labelled,
@@ -406,11 +406,14 @@ class Judge(Unlabelled):
         if start == end or worked or not isinstance(first, Letter | Quantity):
             return explained
         plain = is_sum_of_angles(entry) or is_root_of_a_sum(links[place].claim.right)
-        shown = start == place and (explained.plain or "").startswith("energy")
+        shown = start == place and (explained.plain or "").startswith(("energy", "mass"))
         quoted = (not explained.variants or start < place) and not (plain or shown)
+        halved = is_halved(entry, self._base)
         for link in links[place : end + 1] if quoted else ():
             whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
             other = signs_alone(self.naming.explained(whole, self), explained)
+            if halved:
+                other = other.without("energy-no-half")
             if any(not cannot_be(variant, entry, self._base) for variant in other.variants):
                 return other
         return explained

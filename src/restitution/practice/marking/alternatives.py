@@ -9,7 +9,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.directions import Directions
-from restitution.practice.marking.sides import chains
+from restitution.practice.marking.lines import chains
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.world import World

@@ -19,10 +19,9 @@ from restitution.practice.marking.line_contents import (
     numbers_into_a_wall,
     sizes_of,
 )
-from restitution.practice.marking.lines import is_slip
+from restitution.practice.marking.lines import chains, is_slip
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
-    chains,
     is_fine,
     names_in,
 )

@@ -33,9 +33,9 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.line_contents import LineContents, place_in
-from restitution.practice.marking.lines import SOUND
+from restitution.practice.marking.lines import SOUND, chains
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.marking.sides import chains, names_in
+from restitution.practice.marking.sides import names_in
 from restitution.practice.worlds.agreement import agrees
 from restitution.problem import Aligned, Show
 from restitution.records import dataclass

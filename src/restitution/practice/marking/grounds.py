@@ -490,7 +490,15 @@ class Grounds:
         """
         exchanged = root.mistake is not None and root.mistake.id == "sine-cosine"
         at_a_wall = exchanged and self.values.is_at_a_wall(point)
-        return self.values.is_of_geometry(root) or at_a_wall
+        return self.values.is_of_geometry(root) or at_a_wall or self._resolves(root)
+
+    def _resolves(self, line: JudgedLine) -> bool:
+        """Whether a line works out a component of what is given: ``8 cos 60 = 4√3``."""
+        if line.link is None or line.link >= len(line.line.links):
+            return False
+        claim = line.line.links[line.link].readings[0]
+        known = not self.values.velocities_in(claim, line)
+        return known and any(is_function(node, "sin", "cos") for node in walk(claim.left))
 
     def _is_turned(self, line: JudgedLine) -> bool:
         """Whether an inequality only follows from one that is false, and has no sign of its own."""

@@ -36,11 +36,11 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
+from restitution.practice.marking.lines import chains
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
     Sides,
     are_close,
-    chains,
     is_fine,
     is_zero,
     spread_of,

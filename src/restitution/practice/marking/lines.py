@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -18,10 +18,12 @@ from restitution.expression.tree import (
     has_operator,
     is_binary,
     is_function,
+    is_quantity,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.judging.angles import INVERSE
+from restitution.practice.reading.relations import hundredth
 from restitution.practice.script import Claim, Link
 from restitution.practice.worlds.principles import is_worked
 
@@ -184,3 +186,32 @@ __all__ = [
     "without_slip",
     "wrong_numbers",
 ]
+
+
+def chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
+    """The relations of a line, links of a chain together, in the reading that is most natural.
+
+    Behind a percentage that counts hundredths, ``(1 - 0.51) × 100 = 49``, all of it does.
+    """
+    chain: list[Claim] = []
+    for link in line.line.links:
+        claim = _of_direction(link.readings[0])
+        if chain and not chain[-1].leads_to(claim):
+            counted = replace(claim, left=hundredth(claim.left), right=hundredth(claim.right))
+            if chain[-1].leads_to(counted):
+                claim = counted
+            else:
+                yield chain
+                chain = []
+        chain.append(claim)
+    if chain:
+        yield chain
+
+
+def _of_direction(claim: Claim) -> Claim:
+    """A vector that has no part across a line, as the direction of that line."""
+    right = claim.right
+    if claim.left == Number(Fraction(0)) and is_quantity(right, "across"):
+        vector, line = right.arguments
+        return Claim(line, "=", vector)
+    return claim

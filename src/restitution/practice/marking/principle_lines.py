@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
+from restitution.expression.tree import COMPONENTS, is_quantity, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.marking.grounds import (
     LAWS,
@@ -12,7 +14,7 @@ from restitution.practice.marking.grounds import (
     is_inequality,
     is_of_plain_mistake,
 )
-from restitution.practice.marking.lines import fitting_uses, is_plain, is_sound
+from restitution.practice.marking.lines import SOUND, fitting_uses, is_plain, is_sound
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint
 
@@ -165,6 +167,10 @@ class PrincipleLines(Grounds):
         root = MISCONCEPTIONS.get(above[0] or "") if len(above) == 1 else None
         if line.verdict == "follows" and root is not None and root.mark_of(use.principle):
             name = above[0]  # what follows from one mistake has no other
+        if mistake is not None and mistake.id is None and len(mistake.also) > 1:
+            # Of several that it may be, one that keeps the method speaks for the student.
+            kept_by = (x for x in mistake.also if _keeps(x, use))
+            name = next(kept_by, name)
         named = MISCONCEPTIONS.get(name or "")
         if named is not None:
             rule = named.mark_of(use.principle) or "M0"
@@ -193,6 +199,49 @@ class PrincipleLines(Grounds):
                 and any(
                     use.principle in LAWS and self._with_mistake(line, use)[0] for use in line.uses
                 )
+            ),
+            None,
+        )
+
+    def _with_component(self, point: MarkPoint) -> JudgedLine | None:
+        """A sound line that gives the one component which the equation of a condition decides.
+
+        So it is where a part goes on from what an earlier one has shown, put into a law. For an
+        impulse the component of the other body does as well.
+        """
+        link = point.link
+        if link is None or link.sign != "=":
+            return None
+        parts = {
+            part
+            for side in (link.left, link.right)
+            for part in walk(side)
+            if is_quantity(part, *COMPONENTS)
+        }
+        if len(parts) != 1:
+            return None
+        part = parts.pop()
+        of_either = any(other.principle == "impulse" for other in self.scheme.points)
+        others = self.values.others_at_impact(part) if of_either else ()
+        wanted = [replace(point, link=replace(link, left=x)) for x in (part, *others)]
+        lines = [line for line in self.lines if line.verdict in SOUND]
+        return next((x for own in wanted for x in lines if self._is_matched(own, x)), None)
+
+    def _by_angle_of_line(self, point: MarkPoint) -> JudgedLine | None:
+        """The true line that gives the angle of a line of centres, where its direction is right."""
+        link = point.link
+        if link is None or point.principle != "fact" or point.letter != "A":
+            return None
+        if not is_quantity(link.left, "line_of_centres") or point.item is not None:
+            return None
+        methods = (self.states[x] for x in point.depends if x in self.states)
+        lines = (self._line(mark.line) for mark in methods if mark.state == "earned")
+        return next(
+            (
+                line
+                for line in lines
+                if line is not None and line.verdict == "true" and line.grounded
+                if line.uses and line.uses[0].principle == "angle"
             ),
             None,
         )
@@ -238,6 +287,12 @@ class PrincipleLines(Grounds):
         if unsure is None:
             return PointMark(point, "lost", None, "not seen")
         return PointMark(point, "open", unsure.line.number, "a line could not be judged")
+
+
+def _keeps(mistake: str, use: Use) -> bool:
+    """Whether a misconception keeps the method of a principle."""
+    named = MISCONCEPTIONS.get(mistake)
+    return named is not None and (named.mark_of(use.principle) or "M0").startswith("M1")
 
 
 def is_of_what_stays(line: JudgedLine) -> bool:

@@ -7,7 +7,7 @@ there changes it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -42,6 +42,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.marking.lines import chains
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.script import Claim, column_of
 from restitution.practice.worlds.agreement import agrees
@@ -614,28 +615,6 @@ class Sides:
 
     def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
         return {**Interpretation(self.letters).trees(line.line.number), **line.meant}
-
-
-def chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
-    """The relations of a line, links of a chain together, in the reading that is most natural."""
-    chain: list[Claim] = []
-    for link in line.line.links:
-        claim = _of_direction(link.readings[0])
-        if chain and not chain[-1].leads_to(claim):
-            yield chain
-            chain = []
-        chain.append(claim)
-    if chain:
-        yield chain
-
-
-def _of_direction(claim: Claim) -> Claim:
-    """A vector that has no part across a line, as the direction of that line."""
-    right = claim.right
-    if claim.left == Number(Fraction(0)) and is_quantity(right, "across"):
-        vector, line = right.arguments
-        return Claim(line, "=", vector)
-    return claim
 
 
 def names_in(tree: Expression) -> Iterator[Expression]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import COMPONENTS, Binary, Number, is_quantity, walk
+from restitution.expression.tree import Binary, Number
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.marking.grounds import (
     LAWS,
@@ -300,26 +300,6 @@ class SinglePoints(PrincipleLines):
         shown = any(point.shown and point.principle == "inequality" for point in self.scheme.points)
         return self._inequality(point) if shown and point.principle == "solve" else None
 
-    def _with_component(self, point: MarkPoint) -> JudgedLine | None:
-        """A sound line that gives the one component which the equation of a condition decides.
-
-        So it is where a part goes on from what an earlier one has shown, put into a law.
-        """
-        link = point.link
-        if link is None or link.sign != "=":
-            return None
-        parts = {
-            part
-            for side in (link.left, link.right)
-            for part in walk(side)
-            if is_quantity(part, *COMPONENTS)
-        }
-        if len(parts) != 1:
-            return None
-        own = replace(point, link=replace(link, left=parts.pop()))
-        lines = (line for line in self.lines if line.verdict in SOUND)
-        return next((line for line in lines if self._is_matched(own, line)), None)
-
     def _inequality(self, point: MarkPoint) -> JudgedLine | None:
         """A sound line that compares two values; of a false one what stands before its mistake.
 
@@ -563,6 +543,8 @@ class SinglePoints(PrincipleLines):
             last = None if listed is None else self._earned(point, listed, "")
         if last is None and point.item is not None and (same := self._same(point)) is not None:
             last = self._earned(point, same, "is worth as much")
+        if last is None and (angle := self._by_angle_of_line(point)) is not None:
+            last = self._earned(point, angle, "by its angle")
         if last is None and point.principle == "component":
             used = next((line for line in self.lines if self.values.relates(point, line)), None)
             used = used or self._unchanged_instead(point) or self._in_wrong_law(point)

@@ -33,12 +33,11 @@ from restitution.practice.marking.carried_components import CarriedComponents
 from restitution.practice.marking.line_contents import (
     Match,
 )
-from restitution.practice.marking.lines import ratios_of_angles
+from restitution.practice.marking.lines import chains, ratios_of_angles
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
     are_close,
     are_near,
-    chains,
     is_fine,
     names_in,
     spread_of,
@@ -48,7 +47,7 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given
+from restitution.problem import Compare, Given, Impact
 from restitution.records import dataclass
 from restitution.vector import Vector
 
@@ -254,6 +253,20 @@ class Values(CarriedComponents):
     def _are_worth(self, one: Expression, other: Expression, link: Link, line: JudgedLine) -> bool:
         """Whether two sides have the values of the two sides of a relation."""
         return self._is_worth(one, link.left, line) and self._is_worth(other, link.right, line)
+
+    def others_at_impact(self, part: Quantity) -> Iterator[Quantity]:
+        """A component after an impact as that of the other sphere that meets in it."""
+        match part.arguments:
+            case (Quantity("velocity", (Name(body),), int(number)) as velocity, *rest) if number:
+                pass
+            case _:
+                return
+        step = self._base.events[number - 1]
+        if isinstance(step, Impact) and body in (step.first, step.second):
+            other = step.second if step.first == body else step.first
+            if other in self._base.start:
+                own = replace(velocity, arguments=(Name(other),))
+                yield replace(part, arguments=(own, *rest))
 
     def gives_multiple(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives a multiple of what a point is for its value."""

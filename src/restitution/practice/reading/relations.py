@@ -95,7 +95,7 @@ def is_percentage(tree: Expression) -> bool:
     return isinstance(tree, Letter) and bool({"percentage", "percent"} & set(tree.name.split()))
 
 
-def _hundredth(tree: Expression) -> Expression:
+def hundredth(tree: Expression) -> Expression:
     """A number of percent as a number; anything else over a hundred."""
     if isinstance(tree, Number):
         return replace(tree, value=tree.value / 100)
@@ -194,6 +194,6 @@ def claims(
     yield Claim(first, sign, second, others)
     hundredths = percent and is_numeric(first) and isinstance(second, Number)
     if (is_percentage(first) or hundredths) and not others:
-        yield Claim(first, sign, _hundredth(second))
+        yield Claim(first, sign, hundredth(second))
     if left.other is not None and left.other != left.tree:
         yield Claim(left.other, sign, second, others)

@@ -26,7 +26,7 @@ _REJECTING = frozenset(
 _TOO = frozenset(("big", "large", "great", "high", "small", "much"))
 # What a fraction before them is of: ``KE after = 0.36 of it``.
 _WHOLES = frozenset(("it", "that", "this", "them", "these", "those", "what"))
-_LEADING = frozenset(("is", "means", "mean", "so", "but", "gives", "therefore"))
+_LEADING = frozenset(("which", "is", "means", "mean", "so", "but", "gives", "therefore"))
 
 
 @dataclass(frozen=True)
