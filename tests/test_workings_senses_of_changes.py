@@ -113,3 +113,17 @@ def test_a_change_of_whole_velocities_is_not_called_one_along_the_line() -> None
     )
     assert "Impulse = change of momentum of A:\n" in text
     assert "change of momentum of A along" not in text
+
+
+def test_an_impulse_of_a_later_part_needs_no_line_of_centres() -> None:
+    statement = """
+wall W
+sphere P: mass 2, velocity 4i + 2j
+P hits W
+given velocity(P) = 4j
+part a
+find direction(W), e
+part b
+find impulse(P)
+"""
+    assert "impulse on P = 2(4𝐣 − (4𝐢 + 2𝐣))" in " ".join(text_of(statement).split())

@@ -1,7 +1,7 @@
 """That a body comes to a straight wall: its component towards it before the impact.
 
 Which way that is, the statement tells: by places, by an earlier impact with the same wall, or by
-whom the body has just met on the normal of the wall, who would be there first on the other side.
+whom the body has met on the normal of the wall, who would be there first on the other side.
 """
 
 from __future__ import annotations
@@ -9,9 +9,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from restitution.explaining.data.arrangement import Arrangement
-from restitution.explaining.data.one_line import side_along
+from restitution.explaining.data.one_line import side_along, side_by_neighbours
 from restitution.explaining.lines.derivation import FLIPPED, Link, Sign
-from restitution.explaining.lines.quotients import NotComparableError
 from restitution.expression.tree import (
     Expression,
     Name,
@@ -38,7 +37,7 @@ def coming_to_wall(given: Arrangement, step: Impact, number: int) -> Link | None
     side = 1 if given.is_towards(step, number) is False else None
     side = side or given.side_of_wall(step.first, wall, normal)
     side = side or _side_of_an_earlier_impact(given, step, number, normal)
-    side = side or _side_off_a_sphere(given, step.first, number, normal)
+    side = side or side_by_neighbours(given, step, number, normal)
     sign: Sign = "!=" if side is None else ">" if side > 0 else "<"
     axis: Expression = Quantity("line_of_centres", (), number)
     if isinstance(normal, Unit):
@@ -78,51 +77,3 @@ def _side_from_rest(given: Arrangement, body: str, number: int, normal: Expressi
         return None
     side = None if step.along is None else side_along(given, step, normal)
     return side if side is None or body == step.second else -side
-
-
-def _side_off_a_sphere(
-    given: Arrangement, body: str, number: int, normal: Expression
-) -> int | None:
-    """1 where a normal leads away from whom a body has just met in a direct impact on it."""
-    last = given.problem.events[number - 2] if number > 1 else None
-    if not isinstance(last, Impact) or last.second in given.walls or last.along is None:
-        return None
-    if body not in (last.first, last.second) or not is_direct(given, number, normal):
-        return None
-    ahead = side_along(given, last, normal)
-    return ahead if ahead is None or body == last.second else -ahead
-
-
-def is_direct(given: Arrangement, number: int, normal: Expression) -> bool:
-    """Whether all goes on along the normal of a wall in front of an event."""
-    world = given.world()
-
-    def is_along(tree: object) -> bool:
-        try:
-            axis = world.direction(normal)
-            own = world.direction(tree) if isinstance(tree, Expression) else None
-        except NotComparableError:
-            return False
-        if axis is None or own is None:
-            return False
-        return bool(world.reduced(own.x * axis.y - own.y * axis.x).vanishes)
-
-    for sphere in given.problem.spheres:
-        if not is_rest(sphere.velocity) and not is_along(sphere.velocity):
-            return False
-    for event, step in enumerate(given.problem.events[: number - 1], 1):
-        if not isinstance(step, Impact):
-            return False
-        wall = step.second in given.walls
-        if not is_along(given.into_the_wall(step, event) if wall else _line_of(given, step)):
-            return False
-    return True
-
-
-def _line_of(given: Arrangement, step: Impact) -> Expression | None:
-    """The line of centres of two spheres: as told, or as told when they met before."""
-    pair = {step.first, step.second}
-    earlier = given.problem.events[: given.problem.events.index(step) + 1]
-    impacts = (other for other in reversed(earlier) if isinstance(other, Impact))
-    same = (other for other in impacts if {other.first, other.second} == pair)
-    return next((e.along for e in same if (e.along, e.offset) != (None, None)), None)

@@ -10,8 +10,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from restitution.explaining.data.arrangement import Arrangement
-from restitution.explaining.data.coming_to_walls import is_direct
-from restitution.explaining.data.one_line import side_along, with_lines_of_centres
+from restitution.explaining.data.one_line import is_direct, side_along, with_lines_of_centres
 from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Sign
 from restitution.explaining.lines.trees import settled
 from restitution.expression.tree import (

@@ -72,7 +72,7 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
     """On which side along a line of centres the second sphere is of the first; None if it is open.
 
     It is told by their places at the start, or by how they approach where they have not met yet.
-    Who met before stays in order.
+    Who met before stays in order, and on one line has others on the other side.
     """
     one, other = (given.sphere(name) for name in (step.first, step.second))
     places = [sphere.position for sphere in (one, other) if isinstance(sphere.position, Pair)]
@@ -85,14 +85,83 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
         side = given.sign(Quantity("dot", (displacement, axis)))
         if side is not None:
             return side
-    for met in given.problem.events[: given.problem.events.index(step)]:
+    before = given.problem.events.index(step)
+    for met in given.problem.events[:before]:
         if not isinstance(met, Impact) or not {met.first, met.second} & {one.name, other.name}:
             continue
         if {met.first, met.second} != {one.name, other.name}:
-            return None
+            return side_by_neighbours(given, step, before + 1, axis)
         side = side_along(given, met, axis)
         return side if side is None or met.first == one.name else -side
     return given.approach(one, other, axis)
+
+
+def side_by_neighbours(
+    given: Arrangement, step: Impact, number: int, axis: Expression
+) -> int | None:
+    """On which side along an axis the second body of an event is of the first, by whom they met.
+
+    Where all move along the axis, who meet stand next to each other, and go on to do so: a body has
+    one neighbour on each side. None where it is open.
+    """
+    if not is_direct(given, number, axis):
+        return None
+    pair = {step.first, step.second}
+    for event, met in enumerate(given.problem.events[: number - 1], 1):
+        if not isinstance(met, Impact):
+            continue
+        those = {met.first, met.second}
+        for body in (those & pair) - given.walls.keys():
+            side = _side_of_second(given, met, event, axis)
+            if side is not None:
+                outwards = (body == met.first) == (body == step.first)
+                return side if outwards == (those == pair) else -side
+    return None
+
+
+def _side_of_second(given: Arrangement, step: Impact, number: int, axis: Expression) -> int | None:
+    """On which side along an axis the second body of an event is of the first; None if open."""
+    if step.second not in given.walls:
+        return side_along(given, step, axis)
+    normal = given.into_the_wall(step, number)
+    if normal is None or given.is_towards(step, number) is None:
+        return side_by_neighbours(given, step, number, axis)
+    return given.sign(Quantity("dot", (normal, axis)))
+
+
+def is_direct(given: Arrangement, number: int, axis: Expression) -> bool:
+    """Whether all goes on along an axis before an event: velocities, and what is struck."""
+    world = given.world()
+
+    def is_along(tree: object) -> bool:
+        try:
+            own = world.direction(axis)
+            line = world.direction(tree) if isinstance(tree, Expression) else None
+        except NotComparableError:
+            return False
+        if own is None or line is None:
+            return False
+        return bool(world.reduced(line.x * own.y - line.y * own.x).vanishes)
+
+    for sphere in given.problem.spheres:
+        if not is_rest(sphere.velocity) and not is_along(sphere.velocity):
+            return False
+    for event, step in enumerate(given.problem.events[: number - 1], 1):
+        if not isinstance(step, Impact):
+            return False
+        wall = step.second in given.walls
+        if not is_along(given.into_the_wall(step, event) if wall else _line_of(given, step)):
+            return False
+    return True
+
+
+def _line_of(given: Arrangement, step: Impact) -> Expression | None:
+    """The line of centres of two spheres: as told, or as told when they met before."""
+    pair = {step.first, step.second}
+    earlier = given.problem.events[: given.problem.events.index(step) + 1]
+    impacts = (other for other in reversed(earlier) if isinstance(other, Impact))
+    same = (other for other in impacts if {other.first, other.second} == pair)
+    return next((e.along for e in same if (e.along, e.offset) != (None, None)), None)
 
 
 def with_lines_of_centres(given: Arrangement) -> Problem:

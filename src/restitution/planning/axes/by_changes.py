@@ -28,7 +28,7 @@ from restitution.oracle import Oracle
 from restitution.planning.axes.offsets import frame_by_offset
 from restitution.planning.axes.radii import frame_by_places, is_by_places
 from restitution.planning.formulas.definitions import write_formula
-from restitution.planning.formulas.impulse_formulas import impulse_formula
+from restitution.planning.formulas.impulse_formulas import impulse_by_vectors
 from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.either_side import frame_on_one_side, write_sides
@@ -179,7 +179,7 @@ def _by_its_impulse(scene: Scene, number: int, body: str) -> int | None:
     size = Quantity("impulse", (), number)
     if not {impulse, size} & set(scene.asked_alone) or scene.unknown(scene.mass(body).value):
         return None
-    own = impulse_formula(scene, impulse)
+    own = impulse_by_vectors(scene, impulse, body, number)
     line = write_formula(scene, own)
     right = scene.desk.last_link(line).right
     return _write(scene, "across-the-impulse", number, body, (line,), right)

@@ -242,7 +242,7 @@ def _size_of_change(scene: Scene, quantity: Quantity, event: int) -> Formula | N
     for body in scene.spheres(event):
         if not change_as_vectors(scene, body, event):
             continue
-        own = _by_vectors(scene, Quantity("impulse", (Name(body),), event), body, event)
+        own = impulse_by_vectors(scene, Quantity("impulse", (Name(body),), event), body, event)
         if not any(map(scene.unknown, own.value)):
             line = write_formula(scene, own)
             known = Source(own.value, (line,))
@@ -324,10 +324,10 @@ def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
     assert isinstance(name, Name)
     body = name.name
     along = _along_the_line(scene, quantity, body, event)
-    return _by_vectors(scene, quantity, body, event) if along is None else along
+    return impulse_by_vectors(scene, quantity, body, event) if along is None else along
 
 
-def _by_vectors(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula:
+def impulse_by_vectors(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula:
     """The impulse on a body as m(**v** − **u**)."""
     mass = scene.mass(body)
     late, early = (velocity_source(scene, body, stage) for stage in (event, event - 1))

@@ -17,10 +17,10 @@ from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, line_and_column
 from restitution.problem import Impact
 from restitution.shapes import Circle, Line
-from restitution.solving.algebra.neat import neat
 from restitution.solving.story import bodies, contacts, missing, places
 from restitution.solving.story.conditions import Condition, Equation
 from restitution.solving.story.happenings import Happening
+from restitution.solving.story.orders import order_kept, same_line
 from restitution.solving.story.state import State
 from restitution.vector import Vector
 
@@ -68,7 +68,7 @@ def _approach(
         state.conditions.append(Condition(own * closing, ">", what, "approach"))
     elif unknown:
         state.conditions.append(Condition(closing, ">", what, "approach"))
-    elif earlier is not None and _same_line(state, earlier, c) and _held(state, key, u, c):
+    elif earlier is not None and same_line(state, earlier, c) and _held(state, key, u, c):
         state.conditions.append(Condition(u.dot(earlier), ">", what, "approach"))
     else:
         state.conditions.append(Condition(closing, "!=", what, "approach"))
@@ -93,25 +93,6 @@ def _of_who_met(state: State, key: tuple[str, str]) -> Vector | None:
     return next((side for side in sides if side is not None), None)
 
 
-def _nearer(state: State, number: int, name: str, u: Vector, c: Vector, reason: str) -> None:
-    """Who hits a wall right after a direct impact moves away from whom it met, along its normal.
-
-    On the other side the other is nearer to the wall, and no slower: it would be there first.
-    Where spheres meet obliquely, the story may leave out that the other was there.
-    """
-    last = state.happenings[-1] if state.happenings else None
-    if last is None or last.number != number - 1 or last.unknown_line or last.altered:
-        return
-    spheres = set(last.bodies) & set(state.spheres)
-    if len(spheres) < 2 or name not in spheres or last.centres is None:
-        return
-    if _same_line(state, last.centres, c) and all(
-        _same_line(state, velocity, c) for velocity in last.after.values()
-    ):
-        away = last.oriented() if name == last.bodies[1] else -last.oriented()
-        state.conditions.append(Condition(u.dot(away), ">", reason, "approach"))
-
-
 def _held(state: State, key: tuple[str, str], u: Vector, c: Vector) -> bool:
     """Whether two bodies that met are still in the same order along their line.
 
@@ -128,14 +109,7 @@ def _held(state: State, key: tuple[str, str], u: Vector, c: Vector) -> bool:
     between = state.happenings[last + 1 :]
     if not any(set(event.bodies) & set(key) for event in between):
         return True
-    return _same_line(state, u, c)
-
-
-def _same_line(state: State, a: Vector, b: Vector) -> bool:
-    cross = a.cross(b)
-    if state.field.exact:
-        cross = neat(cross)
-    return state.field.is_zero(cross)
+    return same_line(state, u, c)
 
 
 def _impact_with_wall(state: State, number: int, step: Impact) -> Happening:
@@ -181,9 +155,10 @@ def _impact_with_wall(state: State, number: int, step: Impact) -> Happening:
         what = f"{name} is moving away from {wall.name}, or along it"
     if state.of_statement and not unknown and state.field.is_zero(closing):
         raise ImpossibleError(what, *line_and_column(step.place))
+    is_open = time is None and not unknown and not isinstance(shape, Circle)
+    order = list(order_kept(state, number, step, c, u)) if is_open else []
     _approach(state, (name, wall.name), u, c, closing, unknown, what)
-    if time is None and isinstance(shape, Line) and not unknown:
-        _nearer(state, number, name, u, c, f"{what}: what {name} met is nearer to it")
+    state.conditions += order
     altered = _altered(state, number, step, {name: u}, c, closing, e, unknown)
     if altered is not None:
         v = altered[name]
@@ -247,7 +222,10 @@ def _impact_of_spheres(state: State, number: int, step: Impact) -> Happening:
     own = state.rational(u1.dot(c)) if step.along is not None and not placed else None
     if state.of_statement and (own is not None or state.still(approach)):
         _require_approach(state, step, c, own, closing, what)
+    is_open = step.along is not None and not placed
+    order = list(order_kept(state, number, step, c, approach)) if is_open else []
     _approach(state, (first, second), approach, c, closing, unknown, what, own)
+    state.conditions += order
     altered = _altered(state, number, step, {first: u1, second: u2}, c, closing, e, unknown)
     if altered is not None:
         v1, v2 = altered[first], altered[second]
