@@ -42,6 +42,7 @@ from restitution.solving.story.letters import roles
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.before_walls import wall_reached
+from restitution.workings.reasons.excluded_zeros import excludes_zero, is_divided_by
 from restitution.workings.reasons.grounds import (
     acute_by_its_tangent,
     angle_acute_by,
@@ -194,13 +195,25 @@ class Known:
             yield from (link.left, link.right)
 
     def _where_it_divides(self, line: Line, bound: Link) -> Link:
-        """A bound of a letter that is divided by in what a line compares: it is not zero there."""
-        if line.move.id != "monotone" or bound.sign != ">=" or bound.right != ZERO:
+        """A bound of a letter that is divided by in what a line compares: it is not zero there.
+
+        Nor is a letter by which the line divides an inequality that would not hold where it is.
+        """
+        if bound.sign != ">=" or bound.right != ZERO:
             return bound
         cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
-        nodes = [node for own in cited for node in walk(own.only[-1].right)]
-        below = [e.right for e in nodes if is_binary(e, "/")]
-        divides = any(bound.left in factors(tree) for tree in below)
+        if line.move.id == "monotone":
+            nodes = [node for own in cited for node in walk(own.only[-1].right)]
+            below = [e.right for e in nodes if is_binary(e, "/")]
+            divides = any(bound.left in factors(tree) for tree in below)
+        else:
+            divides = (
+                line.move.id == "compare"
+                and isinstance(bound.left, Letter)
+                and isinstance(line.relation, Relation)
+                and is_divided_by(bound.left, line.relation)
+                and excludes_zero(bound.left, cited, self._roles)
+            )
         return Link(bound.left, ">", bound.right) if divides else bound
 
     def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Sentence | lay.Layout]:
