@@ -232,3 +232,11 @@ def test_a_solution_that_is_another_one_wherever_it_is_possible_is_no_open_one(
         f"A hits B: along i\ngiven angle(velocity(A), line_of_centres) = {multiple} alpha\nfind e"
     )
     assert not solve(parse(text)).warnings
+
+
+def test_a_letter_by_which_an_inequality_is_divided_is_not_zero() -> None:
+    shown = working(
+        "wall W: along j\nsphere A: mass m, velocity 3u i\nsphere B: mass k m, at rest\n"
+        "A hits B: along i, e = 1\nA hits W: e = f\ngiven A and B collide again\nfind range of k"
+    )
+    assert "k > (2 + f)/f, as f > 0" in shown

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Link, Move
-from restitution.expression.tree import Degrees, Letter, Name, Quantity, walk
+from restitution.expression.tree import Degrees, Letter, Name, Quantity, has_quantity, letters, walk
 from restitution.planning.angles.unknown_blows import take_blow
 from restitution.planning.axes.by_changes import take_impulse, take_opposite
 from restitution.planning.axes.given_momenta import (
@@ -222,6 +222,28 @@ class ByFacts(Course):
         scene.desk.know(letter, sp.Integer(0), (line,))
         self.equations.used.add(own.id)
         return line
+
+    def _letters_tied(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A fact that has one unknown letter by another, where both stand in one other equation.
+
+        It is that which is not asked, where either is: of α = β, to find α, it is β.
+        """
+        asked = {name for tree in self.scene.asked_alone for name in letters(tree)}
+        for own in left:
+            given, open_ = self.equations.givens.get(own.id), self._open(own)
+            if given is None or len(open_) != 2 or open_ & self._letters.keys():
+                continue
+            if not any(self._open(other) == open_ for other in left if other is not own):
+                continue
+            pairs = ((given.link.left, given.link.right), (given.link.right, given.link.left))
+            for one, other in pairs:
+                symbol = next((s for s in open_ if one == Letter(s.name)), None)
+                if symbol is None or has_quantity(other) or symbol.name in asked:
+                    continue
+                line, value = write_given(self.scene, given), self.scene.scalar(other)
+                self.scene.desk.know(Letter(symbol.name), value, (line,))
+                return (own,)
+        return None
 
     def _fact_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact that says how many times one component after an impact the other one is."""

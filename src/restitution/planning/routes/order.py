@@ -219,6 +219,7 @@ class Solver(Closing):
             self._impulse_at_a_wall,
             self._wall,
             self._fact_expresses,
+            self._letters_tied,
             self._fact_ties,
             self._law_ties,
             self._squares_with_momentum,
