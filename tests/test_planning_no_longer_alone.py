@@ -15,6 +15,47 @@ from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
 CASES = {
+    "the greatest tangent of an angle that an equation of places ties to e": (
+        """
+wall Y: along j, through (3b, 0)
+sphere P: at (0, 0), velocity u at theta
+P hits Y
+P reaches (b, 4b)
+given b > 0
+find maximum of tan(theta) over e
+""",
+        ("tan θ = 4e/(2 + 3e)", "greatest value of tan θ = ⅘, when e = 1"),
+    ),
+    "a range of an angle by the end of a wall and by a coefficient": (
+        """
+wall X: from (2d, 0) to (2d, d)
+wall Y: from (2d, d) to (0, d)
+sphere Q: at (d, 0), velocity w at phi
+Q hits X: e = k
+Q hits Y: e = k
+Q reaches (0, 0)
+given d > 0
+find range of phi
+""",
+        (
+            "½ < tan φ (3)",
+            "tan φ ≤ ⅔, as 0 ≤ k ≤ 1 (4)",
+            "From (3) and (4): ½ < tan φ ≤ ⅔",
+        ),
+    ),
+    "a quantity as a multiple of one at the start, in a letter that is tied": (
+        """
+wall W: along j
+sphere Q: mass 2m, velocity w at beta to W
+Q hits W: e = k
+given deflection(Q) = 90°
+show energy(Q) = k energy(Q, 0)
+""",
+        (
+            "Q before the impact",
+            "= k × kinetic energy of Q before the impact (as required)",
+        ),
+    ),
     "two angles that are equal, both right angles": (
         """
 wall W: along i

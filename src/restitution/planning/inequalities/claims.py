@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 import sympy as sp
 
@@ -155,11 +156,24 @@ class Claims(Eliminated):
             self.worths.back(mark)
             self.ties.clear()
             self.conditions.clear()
-        by_tangent = self._by_its_tangent(relation)
-        last = by_tangent or write_of_wide_angle(self, quantities, relation, also_acute=True)
+        last = self._by_its_tangent(relation) or (None if base else self._one_by_one(relation))
+        last = last or write_of_wide_angle(self, quantities, relation, also_acute=True)
         if last is None:
             raise NotPlannedError("an inequality")
         return last
+
+    def _one_by_one(self, relation: Relation) -> int | None:
+        """The two bounds of what letters make, each by what it rests on, and then both."""
+        if len(relation.options) != 1 or len(relation.only) != 2:
+            return None
+        mark = self.worths.mark()
+        with suppress(NotPlannedError):
+            bounds = [self.write(Relation(((link,),))) for link in relation.only]
+            both = self.judge.write((Move("compare"),), bounds, relation)
+            if both is not None:
+                return both
+        self.worths.back(mark)
+        return None
 
     def _by_its_tangent(self, relation: Relation) -> int | None:
         """The bounds of an acute angle that is a letter of the data, by those of its tangent."""

@@ -52,7 +52,12 @@ from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.inverses import bounds_of_the_ratio, inverse_by_lines
 from restitution.planning.inequalities.letter_ranges import ranges_of
-from restitution.planning.inequalities.nearing import comes_to, roots_by_a_root
+from restitution.planning.inequalities.nearing import (
+    comes_to,
+    letter_within,
+    roots_by_a_root,
+    worth_within,
+)
 from restitution.planning.inequalities.over_offsets import offset_over, role_of
 from restitution.planning.inequalities.quotients import by_tangent, write_quotient
 from restitution.planning.inequalities.wide_angles import compared_by_cosine, cosine_of
@@ -104,6 +109,7 @@ def write_extremum(
                 raise
             # What is to be shown does not say whether it is reached.
             claims.worths.back(mark)
+            claims.ties.clear()
             own = _Extremum(claims, kind, asked, over.name, bound, False, printed)
             line = own.write()
     scene.desk.end(name, line, Relation(((own.end,),)), shown=printed is not None)
@@ -175,11 +181,11 @@ class _Extremum:
                     self.claims.worths.back(start)
                     self.end, self.value = end, value
             return self._at_an_end()
-        if isinstance(self.asked, Letter):
+        if (letter := letter_within(self.asked)) is not None:
             self.claims.ties.lines()
             start = self.claims.worths.mark()
             try:
-                tied = self._of_tied_letter(self.asked)
+                tied = self._of_tied_letter(letter)
             except NotPlannedError:
                 self.claims.worths.back(start)
                 tied = None
@@ -325,11 +331,11 @@ class _Extremum:
     def _of_tied_letter(self, asked: Letter) -> int | None:
         """A letter that no line gives by others: by the equation that ties it to them."""
         lines = self.claims.ties.lines()
-        if any(self.claims.ties.subject(number, asked.name) is not None for number in lines):
+        if any(self.claims.ties.subject(number, asked.name, self.asked) for number in lines):
             return None
         role = roles(self.scene.problem)[asked.name]
-        reached: list[tuple[Expression, sp.Expr]] = [(asked, self.value)]
-        if role.kind == "angle":
+        reached: list[tuple[Expression, sp.Expr]] = [(self.asked, self.value)]
+        if role.kind == "angle" and asked == self.asked:
             ratios = {"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}
             reached = [(Apply(e, asked), tidy(ratios[e](self.value))) for e in ratios]
             by_ratio = inverse_by_lines(self.scene, lines, asked, self.value)
@@ -338,7 +344,7 @@ class _Extremum:
         for line in lines:
             for end in (self.role.low, self.role.high):
                 if end is None or not comes_to(
-                    self.scene, asked.name, self.value, self.symbol, end
+                    self.scene, asked.name, worth_within(self.asked, self.value), self.symbol, end
                 ):
                     continue
                 unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
@@ -353,13 +359,14 @@ class _Extremum:
         raise NotPlannedError("a greatest or least value of a letter")
 
     def _line(self) -> int:
+        if (letter := letter_within(self.asked)) is not None:
+            for number in self.claims.ties.lines():
+                line = self.claims.ties.subject(number, letter.name, self.asked)
+                if line is not None:
+                    return line
         match self.asked:
-            case Letter(letter):
-                for number in self.claims.ties.lines():
-                    line = self.claims.ties.subject(number, letter)
-                    if line is not None:
-                        return line
-                return self._solved(letter)
+            case Letter(name):
+                return self._solved(name)
             case Apply("tan", Quantity() as angle):
                 return self.claims.worths.angle(angle)
         if is_tangent_of_letters(self.asked):

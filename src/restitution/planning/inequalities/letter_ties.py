@@ -407,10 +407,13 @@ class Ties:
         kind = roles(self.scene.problem)[symbol.name].kind
         return ({"angle": 0, "positive": 1, "restitution": 2}.get(kind, 3), symbol.name)
 
-    def subject(self, line: int, letter: str) -> int | None:
-        """An equation with a letter as its subject; None where it is not linear in it."""
-        link = self.scene.desk.last_link(line)
-        if link.left == Letter(letter):
+    def subject(self, line: int, letter: str, ratio: Expression | None = None) -> int | None:
+        """An equation with a letter, or a ratio of it, as its subject.
+
+        None where it is not linear in it.
+        """
+        link, wanted = self.scene.desk.last_link(line), ratio or Letter(letter)
+        if link.left == wanted:
             return line
         own = self.scene.desk.line(line)
         if isinstance(link.left, Letter) and own.move.id == "rearrange" and len(own.premises) == 1:
@@ -423,7 +426,7 @@ class Ties:
         ]
         symbol = roles(self.scene.problem)[letter].symbol(letter)
         form = isolated(self.scene, expanded(x), symbol)
-        if form is None or form[0] != Letter(letter):
+        if form is None or form[0] != wanted:
             return None
         alone = Link(form[0], "=", tree_of(form[1]))
         pool = [line, *self.worths.known_in(x)]

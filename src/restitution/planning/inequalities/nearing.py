@@ -5,11 +5,14 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.expression.tree import Apply, Expression, Letter
 from restitution.planning.writing.polynomials import expanded, polynomial_in
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
 _STEP, _CLOSE = sp.Float("1e-9"), 1e-3
+
+_INVERSES = {"sin": sp.asin, "cos": sp.acos, "tan": sp.atan}
 
 
 def comes_to(scene: Scene, name: str, bound: sp.Expr, over: sp.Symbol, place: sp.Expr) -> bool:
@@ -22,6 +25,24 @@ def comes_to(scene: Scene, name: str, bound: sp.Expr, over: sp.Symbol, place: sp
         return _nears(scene, final[name], over, place, bound)
     letter = roles(scene.problem)[name].symbol(name)
     return over.name in final and _nears(scene, final[over.name], letter, bound, place)
+
+
+def letter_within(tree: Expression) -> Letter | None:
+    """The letter that is asked for, or of which a ratio is."""
+    match tree:
+        case Letter() as letter:
+            return letter
+        case Apply("sin" | "cos" | "tan", Letter() as letter):
+            return letter
+    return None
+
+
+def worth_within(tree: Expression, value: sp.Expr) -> sp.Expr:
+    """What a letter is where it, or a ratio of it, has a value."""
+    match tree:
+        case Apply("sin" | "cos" | "tan" as ratio, _):
+            return _INVERSES[ratio](value)
+    return value
 
 
 def _nears(
@@ -53,4 +74,4 @@ def roots_by_a_root(gap: sp.Expr, symbol: sp.Symbol) -> list[sp.Expr] | None:
     return [tidy(expanded(value**2)) for value in own if value.is_positive]
 
 
-__all__ = ["comes_to", "roots_by_a_root"]
+__all__ = ["comes_to", "letter_within", "roots_by_a_root", "worth_within"]

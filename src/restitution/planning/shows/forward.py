@@ -193,14 +193,25 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
     return by_shown
 
 
-def _equation_of_a_quantity(scene: Scene, item: Show, now: int) -> Link | None:
-    """The claim that a quantity has a value without quantities; None where it is another."""
+def _equation_of_a_quantity(
+    scene: Scene, item: Show, now: int, beside_data: bool = False
+) -> Link | None:
+    """The claim that a quantity has a value without quantities; None where it is another.
+
+    ``beside_data`` also that it is a multiple of one at the start.
+    """
     match item.relation:
         case Compare(operators=("=",), figures=None):
             (link,) = links_of(scene.problem, item.relation, now)
         case _:
             return None
-    return None if has_quantity(link.right) or not has_quantity(link.left) else link
+    others = [] if beside_data and _is_of_the_start(scene.opened(link).right) else [link.right]
+    return None if any(map(has_quantity, others)) or not has_quantity(link.left) else link
+
+
+def _is_of_the_start(tree: Expression) -> bool:
+    """Whether the quantities in a tree are those of bodies before anything happens to them."""
+    return all(quantity.stage == 0 for quantity in outermost_quantities(tree))
 
 
 def _by_a_zero(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
@@ -223,7 +234,7 @@ def _by_what_was_shown(
 
     That was to be shown, or is what the facts say of these letters.
     """
-    link = _equation_of_a_quantity(scene, item, now)
+    link = _equation_of_a_quantity(scene, item, now, beside_data=True)
     if link is None:
         return None
     shown = [number for number in scene.desk.shown if scene.desk.holds(number)]
@@ -235,13 +246,15 @@ def _by_what_was_shown(
         scene.free.clear()
         try:
             worth = claims.worths.worth(claims.worths.opened(link.left))
+            right = claims.worths.opened(link.right)
+            data = [claims.worths.quantity(own) for own in outermost_quantities(right)]
         except NotPlannedError:
             return None
         known = claims.judge.known(letters(link.right))
         if worth is None:
             return None
         for number in shown:
-            pool: list[Ref] = [worth, number, *known]
+            pool: list[Ref] = [worth, *data, number, *known]
             line = claims.judge.write((Move("put"), Move("rearrange")), pool, relation)
             if line is not None:
                 return line, relation
