@@ -54,6 +54,52 @@ def test_the_greatest_difference_of_two_angles() -> None:
     assert "S >= 4" in said(derivation)
 
 
+def test_the_greatest_difference_with_an_angle_that_is_acute_as_a_letter_is_bounded() -> None:
+    derivation = working(
+        f"{SPHERES.format('m', 'm', 'e')}given e < 1\nlet psi = angle(velocity(A), i)\n"
+        "find maximum of psi - alpha over alpha"
+    )
+    assert answers(derivation) == ["delta <= arctan(sqrt(2) (1 + e)/(4sqrt(1 - e)))"]
+    assert "tan(delta) > 0" in said(derivation)
+
+
+@pytest.mark.parametrize(
+    ("impulse", "deflection", "parts"),
+    [
+        (
+            "m u",
+            60,
+            (
+                "α + β = 60°",
+                "(1 + sin α)/cos α = √3",
+                "(1 + sin α)² = 3 cos²α",
+                "3(1 − sin²α) = (1 + sin α)²",
+                "Dividing by 1 + sin α, which is not zero",
+                "sin α = ½",
+            ),
+        ),
+        ("sqrt(3) m u", 120, ("√3 cos α/(1 − √3 sin α) = −√3", "tan(α/2) = √3/3", "α = 60°")),
+    ],
+)
+def test_an_impulse_and_a_deflection_at_a_wall(
+    impulse: str, deflection: int, parts: tuple[str, ...]
+) -> None:
+    printed_with(
+        f"""
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given impulse = {impulse}
+part a
+find e in terms of alpha
+part b
+given deflection(P) = {deflection}°
+find alpha, e
+""",
+        parts,
+    )
+
+
 def test_a_deflection_at_a_wall_that_only_approaches_its_bound() -> None:
     derivation = working(f"{WALL}find maximum of deflection(P) over theta")
     assert answers(derivation) == ["delta < 180°"]

@@ -24,7 +24,7 @@ def oriented(step: Step, x: Quotient, loose: Collection[str] = ()) -> int | None
     """
     roles = drawn_roles(step)
     roles = {**roles, **{name: REAL for name in loose if name in step.setting.meanings}}
-    oracle = Oracle(roles, (*_ranges_cited(step), *_approaches_cited(step, roles)))
+    oracle = Oracle(roles, (*ranges_cited(step), *_approaches_cited(step, roles)))
     sign = Signs(step.world, lambda: oracle).of(x)
     if sign:
         return sign
@@ -36,9 +36,11 @@ def oriented(step: Step, x: Quotient, loose: Collection[str] = ()) -> int | None
     return None
 
 
-def _ranges_cited(step: Step) -> Iterator[Formula]:
-    """The inequalities between letters that a line cites."""
+def ranges_cited(step: Step, *, given: bool = False) -> Iterator[Formula]:
+    """The inequalities between letters that a line cites; only those ``given``, if it is said."""
     for premise in step.cited:
+        if given and isinstance(premise.ref, int):
+            continue
         if isinstance(premise.relation, Relation):
             links = [link for links in premise.relation.options for link in links]
             sides = (side for link in links for side in (link.left, link.right))

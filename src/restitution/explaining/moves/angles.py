@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.explaining.definitions.senses import ranges_cited
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.explaining.moves.bases import base_of, flat
@@ -307,7 +308,7 @@ def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
     if not cosine and not sine and value.left != Apply("tan", end.left):
         return False
     angle, ratio_ = in_radians(step, end.right), in_radians(step, value.right)
-    oracle = Oracle(step.setting.roles)
+    oracle = Oracle(step.setting.roles, tuple(ranges_cited(step, given=True)))
     role = step.setting.of_angle(end.left)
     if isinstance(end.left, Letter):
         role = role or step.setting.role(end.left.name)

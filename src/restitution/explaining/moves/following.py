@@ -327,10 +327,11 @@ def stands(step: Step, relation: Relation) -> bool:
 
     That a value is the greatest or the least takes two lines: a bound, and where it is reached.
     It may be reached at several places, a line each. One that is only approached may rest on the
-    line that says the range of the letter, too.
+    line that says the range of the letter, too. A range that is given of a letter may tell which
+    of the angles with one ratio it is.
     """
     base = base_of(step)
-    places = step.cited[1:]
+    places = [premise for premise in step.cited[1:] if isinstance(premise.ref, int)]
     if base is None or bool(places) != bool(step.move.record):
         return False
     if step.move.record == "approached" and len(places) == 2:

@@ -526,7 +526,13 @@ def by_tangents(
     if not asked and given is None:
         # The value that is given stays where it stands.
         refs = (number, *together(*(term.refs for term in terms)))
-        return _with_values(scene, refs, known, (put, final), turned)
+        # A product of tangents may be shorter by sin² + cos² = 1 alone.
+        plain = swept(tangent_of(form, tangents[0], tangents[1]))
+        for tree in (put,) if doubled else dict.fromkeys((put, plain)):
+            line = _with_values(scene, refs, known, (tree, final), turned)
+            if line is not None:
+                return line
+        return None
     by: MoveId = "rearrange"
     between = ((tree, by) for tree in multiplied_through(scene, put, final))
     subject = turned if given is None else given[0]
@@ -622,13 +628,21 @@ def _with_values(
 ) -> int | None:
     """The equation of a tangent with values put in, and in its shortest form."""
     (put, final), line = sides, None
+    mark = scene.desk.mark()
     for tree in dict.fromkeys((put, final)):
-        move = Move("put") if line is None else Move("rearrange")
+        moves = (
+            [Move("put")] if line is None else [Move("rearrange"), Move("identity", "pythagoras")]
+        )
         relation = chain(tree, (value, None))
-        premises = scene.judge.enough(move, refs if line is None else (line,), relation, known)
-        if premises is None:
+        own = refs if line is None else (line,)
+        for move in moves:
+            premises = scene.judge.enough(move, own, relation, known)
+            if premises is not None:
+                line = scene.desk.write(move, premises, relation)
+                break
+        else:
+            scene.desk.back(mark)
             return None
-        line = scene.desk.write(move, premises, relation)
     return line
 
 

@@ -56,6 +56,7 @@ from restitution.planning.closing.ratios import (
     sum_of_angles,
 )
 from restitution.planning.closing.roots import by_roots, known_as
+from restitution.planning.closing.sines_and_cosines import squared_ratio
 from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
@@ -261,6 +262,12 @@ def _by_two_roots(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None
     """Two roots in which the unknown stands, and a number: both sides are squared, twice."""
     line = squared_apart(scene, number, symbol)
     return None if line is None else close(scene, line, symbol)
+
+
+def _by_a_squared_ratio(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Sine and cosine of one angle and a number: both sides are squared."""
+    squared = squared_ratio(scene, number, symbol)
+    return None if squared is None else close(scene, squared, symbol)
 
 
 def _by_one_root(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
@@ -600,6 +607,7 @@ SHAPES: tuple[Shape, ...] = (
     ratio,
     _without_a_factor,
     by_its_half,
+    _by_a_squared_ratio,
     even,
     divided_angle,
     product_of_tangents,

@@ -254,13 +254,12 @@ class _Extremum:
                     bound = in_it or bound
                 last = self.claims.angle_of(bound, line, extent, own, (), self.support)
                 there = None if last is None else self._place(line, Apply("tan", asked), extent)
-                if (
-                    last is not None
-                    and there is not None
-                    and self.judge.follows(self.move, [last, there], own)
-                ):
-                    self.end = whole
-                    return self.scene.desk.write(self.move, [last, there], own)
+                if last is not None and there is not None:
+                    given = self._known(*self._names(self.value))
+                    refs = self.judge.enough(self.move, [last, there], own, given)
+                    if refs is not None:
+                        self.end = whole
+                        return self.scene.desk.write(self.move, refs, own)
             self.claims.worths.back(mark)
         raise NotPlannedError("the greatest or least angle")
 
