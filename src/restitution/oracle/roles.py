@@ -27,8 +27,13 @@ class Role:
 
     @cached_property
     def _sense(self) -> str:
-        """What is assumed of the letter's sign."""
+        """What is assumed of the letter's sign.
+
+        An angle that is known to be positive counts as acute, with a cosine of 0 or more.
+        """
         if self.low is None or not self.low.is_nonnegative:
+            return "real"
+        if self.kind == "angle" and (self.high is None or self.high > sp.pi / 2):
             return "real"
         return "nonnegative" if self.low == 0 and self.closed[0] else "positive"
 

@@ -241,6 +241,28 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
     return own if turns <= {0} else exact.tidy_angle(own + 2 * turns.pop() * sp.pi)
 
 
+def by_directions(value: Any, samples: Samples) -> sp.Expr | None:
+    """An angle by the directions of vectors; None where that is not how it is worked out.
+
+    It has a value wherever the vectors are not zero, and its textbook form may have none there:
+    arctan(3/|2e − 1|) where e is ½, and the angle 90°.
+    """
+    if not isinstance(value, Angle):
+        return None
+    whole = sp.sympify(value.measure(), strict=True)
+    if not whole.has(sp.atan2):
+        return None
+    return whole.replace(sp.atan2, lambda y, x: _direction_angle(y, x, samples))
+
+
+def _direction_angle(y: sp.Expr, x: sp.Expr, samples: Samples) -> sp.Expr:
+    """The angle of a vector, without the factors that are positive whatever the letters are."""
+    sides = [signed(side, samples) for side in (y, x)]
+    factors = [set(sp.Mul.make_args(sp.factor(side))) for side in sides]
+    common = sp.Mul(*(factor for factor in factors[0] & factors[1] if factor.is_positive))
+    return sp.atan2(*(tidy(side / common) for side in sides))
+
+
 def _term(x: sp.Expr, samples: Samples) -> sp.Expr:
     """A term of a sum of angles, of which one may be that of a vector."""
     factor, arc = x.as_coeff_Mul()

@@ -51,6 +51,22 @@ def at(x: Any, values: Mapping[str, Enclosed]) -> Enclosed:
     return Enclosed(interval)
 
 
+def angle_at(x: sp.Expr, values: Mapping[str, Enclosed]) -> Enclosed:
+    """The value of an angle that is made of directions of vectors, at their 180° as well.
+
+    Raises what `at` raises, and UndefinedError for a zero vector.
+    """
+    put: dict[sp.Basic, sp.Symbol] = {}
+    known = dict(values)
+    for number, arc in enumerate(x.atoms(sp.atan2)):
+        above, along = (at(argument, values) for argument in arc.args)
+        if not above.sign and not along.sign:
+            raise UndefinedError("the zero vector has no direction")
+        put[arc] = sp.Symbol(f"direction {number}", real=True)
+        known[put[arc].name] = Enclosed.atan2(above, along)
+    return at(x.xreplace(put), known)
+
+
 def sign_there(x: Any, values: Mapping[str, Enclosed]) -> int:
     """The sign of what `at` gives: 0 where it may be zero. Raises what that raises."""
     expression = x if isinstance(x, sp.Basic) else sp.sympify(x, strict=True)

@@ -98,15 +98,15 @@ def find_extremum(
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
     candidates: list[tuple[Trial, Best]] = []
-    values: dict[int, sp.Expr] = {}
+    values: dict[int, tuple[sp.Expr, sp.Expr]] = {}
     trials = values_of_trials(outcome, item.expression, now, f"the {item.kind}")
-    for trial, value in trials:
-        values[id(trial)] = value
+    for trial, value, whole in trials:
+        values[id(trial)] = value, whole
         own = replace(outcome, trials=(trial,))
         try:
-            best = _best(own, value, name, sign)
+            best = _best(own, value, whole, name, sign)
         except DependsOnDataError:
-            several = [] if len(trials) > 1 else cases(_Winners(own, value, name, sign))
+            several = [] if len(trials) > 1 else cases(_Winners(own, value, whole, name, sign))
             if not several or any(case.pieces[0][0].value.is_infinite for case in several):
                 raise
             return _in_cases(own, item, several, angle)
@@ -122,10 +122,10 @@ def find_extremum(
     own = replace(outcome, trials=(trial,))
     place = candidate.where[name]
     answer = _answer(own, item, candidate.value, (place, *further), reached, angle)
-    proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
+    proof, limits = _proved(own, *values[id(trial)], candidate, reached, sign)
     if reached and not place.is_infinite:
         limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
-    elsewhere = _elsewhere(own, values[id(trial)], name, (candidate, reached), data, sign)
+    elsewhere = _elsewhere(own, *values[id(trial)], name, (candidate, reached), data, sign)
     existing = _where_it_is_defined(own, item, now)
     limits = tuple({limit.text: limit for limit in (*limits, *elsewhere, *existing)}.values())
     assert answer.layout is not None
@@ -286,7 +286,7 @@ def _with_a_letter_to_vary(desk: Desk, name: str, setting: Setting) -> Outcome:
 
 
 def _proved(
-    outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int
+    outcome: Outcome, value: sp.Expr, whole: sp.Expr, best: Candidate, reached: bool, sign: int
 ) -> tuple[Proof, tuple[Limitation, ...]]:
     """The proof that no value lies beyond an extremum, or equals one that is only approached.
 
@@ -296,6 +296,8 @@ def _proved(
     region = Region(outcome, next(iter(best.where)))
     if region.formula is None:
         return "undecided", ()
+    if breaks(value, region.symbol, region.roles):
+        value = whole  # also where the textbook form has no value
     claim = Relation(sign * (best.value - value), ">=" if reached else ">")
     try:
         verdict = Oracle(region.roles, (region.formula,)).decide(claim)
@@ -313,6 +315,7 @@ def _proved(
 def _elsewhere(
     outcome: Outcome,
     value: sp.Expr,
+    whole: sp.Expr,
     name: str,
     best: tuple[Candidate, bool],
     data: Sample,
@@ -334,7 +337,8 @@ def _elsewhere(
         ):
             continue
         kept = [
-            closed and _is_best_at(region, value, (candidate, reached), {symbol: end}, data, sign)
+            closed
+            and _is_best_at(region, value, whole, (candidate, reached), {symbol: end}, data, sign)
             for end, closed in zip((role.low, role.high), role.closed, strict=True)
         ]
         if tuple(kept) != role.closed:
@@ -388,6 +392,7 @@ def _exists_at(
 def _is_best_at(
     region: Region,
     value: sp.Expr,
+    whole: sp.Expr,
     best: tuple[Candidate, bool],
     put: Mapping[sp.Symbol, sp.Expr],
     data: Sample,
@@ -402,7 +407,8 @@ def _is_best_at(
         own = limit_at(candidate.value.xreplace(put), drawn)
         return number is None or (own is not None and not (own - number).sign)
     try:
-        winner = _winner(region, there, _candidates(region, there), drawn, sign)
+        candidates = _candidates(region, there)
+        winner = _winner(region, there, whole.xreplace(put), candidates, drawn, sign)
     except UnsupportedError:
         return False
     if winner is None:
@@ -433,6 +439,7 @@ def _without_an_end(region: Region, verdict: Verdict) -> Iterator[tuple[Formula,
 def _further(
     region: Region,
     value: sp.Expr,
+    whole: sp.Expr,
     candidates: list[Candidate],
     extreme: tuple[Candidate, bool],
     data: Sample,
@@ -452,7 +459,7 @@ def _further(
         if not reached:
             close = is_near(region, candidate, data) and tends(region, value, candidate, data)
         else:
-            close = reaches(region, value, candidate, number, data)
+            close = reaches(region, whole, candidate, number, data)
         if close:
             places.append(place)
     return tuple(places)
@@ -468,9 +475,11 @@ class _Winners:
     Its ends are the extremum and its place; the first is closed where the extremum is reached.
     """
 
-    def __init__(self, outcome: Outcome, value: sp.Expr, name: str, sign: int) -> None:
+    def __init__(
+        self, outcome: Outcome, value: sp.Expr, whole: sp.Expr, name: str, sign: int
+    ) -> None:
         self._region = Region(outcome, name)
-        self._value, self._sign = value, sign
+        self._value, self._whole, self._sign = value, whole, sign
         self._candidates = _candidates(self._region, value)
         self.role, self.roles = REAL, self._region.roles
         self.data, self.given = self._region.data, self._region.given
@@ -493,13 +502,13 @@ class _Winners:
         self, drawn: Sample, put: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
     ) -> list[Piece]:
         """The extremum for these values of the data, or none; ``put`` has some exactly."""
-        value, candidates = self._value, self._candidates
+        value, whole, candidates = self._value, self._whole, self._candidates
         if put and value.has(*put):
-            value = value.xreplace(put)
+            value, whole = value.xreplace(put), whole.xreplace(put)
             if not value.has(self._region.symbol):
                 return []
             candidates = _candidates(self._region, value)
-        winner = _winner(self._region, value, candidates, drawn, self._sign)
+        winner = _winner(self._region, value, whole, candidates, drawn, self._sign)
         if winner is None:
             return []
         best, reached, _, _ = winner
@@ -515,11 +524,13 @@ class _Winners:
         open_ = Verdict("undecided", "undecided")
         if self.formula is None or best.value.is_infinite:
             return open_
-        claim = Relation(self._sign * (best.value - self._value), ">=" if best.closed else ">")
+        broken = breaks(self._value, self._region.symbol, self.roles)
+        value = self._whole if broken else self._value
+        claim = Relation(self._sign * (best.value - value), ">=" if best.closed else ">")
         parts = self.formula.parts if isinstance(self.formula, All) else (self.formula,)
         letter = self._region.letter
         of_data = [part for part in parts if letters_of(part) and letter not in letters_of(part)]
-        there = joined((self.formula, Relation(self._value - best.value, "=")))
+        there = joined((self.formula, Relation(value - best.value, "=")))
         around = Oracle(self.roles, (*more, *of_data))
         try:
             outer = Oracle(self.roles, (*more, self.formula)).decide(claim)
@@ -573,7 +584,7 @@ def _solved_letters(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Ex
 _TRIED = 60
 
 
-def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None:
+def _best(outcome: Outcome, value: sp.Expr, whole: sp.Expr, name: str, sign: int) -> Best | None:
     region = Region(outcome, name)
     roles = _roles(outcome)
     if not value.has(region.symbol):
@@ -587,7 +598,7 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None
         number = len(winners) + DRAWS
         for _ in range(DRAWS_TRIED if data else 1):
             drawn = sample(data, roles, rng, at_edge)
-            chosen = _winner(region, value, candidates, drawn, sign)
+            chosen = _winner(region, value, whole, candidates, drawn, sign)
             if chosen is not None:
                 winners.append(chosen)
             if len(winners) == number:
@@ -598,7 +609,7 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None
     if any(winner[0] != first[0] for winner in winners[1:]):
         raise DependsOnDataError("where the extremum lies depends on the values of the data")
     best, reached, _, drawn = first
-    return first, _further(region, value, candidates, (best, reached), drawn)
+    return first, _further(region, value, whole, candidates, (best, reached), drawn)
 
 
 def _roles(outcome: Outcome) -> dict[str, Role]:
@@ -630,14 +641,23 @@ def _candidates(region: Region, value: sp.Expr) -> list[Candidate]:
 
 
 def _winner(
-    region: Region, value: sp.Expr, candidates: list[Candidate], drawn: Sample, sign: int
+    region: Region,
+    value: sp.Expr,
+    whole: sp.Expr,
+    candidates: list[Candidate],
+    drawn: Sample,
+    sign: int,
 ) -> Extreme | None:
+    """The candidate of the greatest or least value at some data.
+
+    ``whole`` has a value also where ``value``, the same in textbook form, has none at a pole.
+    """
     best: Extreme | None = None
     for candidate in candidates:
         number = limit_at(candidate.value, drawn)
         if number is None or not is_near(region, candidate, drawn):
             continue
-        reached = reaches(region, value, candidate, number, drawn)
+        reached = reaches(region, whole, candidate, number, drawn)
         if not reached and not tends(region, value, candidate, drawn):
             continue
         if (

@@ -42,6 +42,7 @@ from restitution.solving.algebra.intervals import (
 )
 from restitution.solving.algebra.numbers import (
     Sample,
+    angle_at,
     at,
     draw,
     number_of,
@@ -95,6 +96,7 @@ Border = tuple[Enclosed, sp.Expr, bool]
 class Image:
     """The values of an expression: intervals, sought at a few values of the data, then proved.
 
+    ``whole`` has a value also where ``value``, the same in textbook form, has none at a pole.
     ``proof`` tells after `pieces` what it rests on.
     """
 
@@ -102,10 +104,11 @@ class Image:
         self,
         outcome: Outcome,
         value: sp.Expr,
+        whole: sp.Expr,
         free: list[str],
         angle: bool,
     ) -> None:
-        self.value, self.free = value, free
+        self.value, self.whole, self.free = value, whole, free
         self.region = Region(outcome, free[0], tuple(free[1:]))
         self.region.free = tuple(free[1:])  # to the value all of them matter
         self.candidates = list(_candidates(outcome, value, free, self.region))
@@ -221,7 +224,7 @@ class Image:
             number = limit_at(candidate.value, drawn)
             if number is None or not is_near(self.region, candidate, drawn):
                 continue
-            reached = reaches(self.region, self.value, candidate, number, drawn) or any(
+            reached = reaches(self.region, self.whole, candidate, number, drawn) or any(
                 not (value - number).sign for value, _ in seen
             )
             end = sp.oo * number.sign if abs(number) == INFINITE else candidate.value
@@ -266,7 +269,7 @@ class Image:
         if not self.region._possible(values):
             return None
         try:
-            return at(self.value, values)
+            return angle_at(self.whole, values)
         except (UndefinedError, KeyError):
             return None
 
@@ -328,12 +331,39 @@ class Image:
 
     def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
         """Whether just these values occur, whatever the data are; ``more`` are facts of them."""
-        role = _role_of_angle(pieces) if self.angle else REAL
-        verdict = self._proved(self.value, pieces, role, more)
-        if verdict.answer != "undecided" or not self.angle:
-            return verdict
-        arc = _tangent_of(self.value, pieces, partial(self._is_never_negative, more=more))
-        return verdict if arc is None else self._proved(*arc, REAL, more)
+        for form, ends, role in self._forms(pieces, more):
+            verdict = self._proved(form, ends, role, more)
+            if verdict.answer != "undecided":
+                return verdict
+        return Verdict("undecided", "undecided")
+
+    def _forms(
+        self, pieces: Sequence[Piece], more: Sequence[Formula]
+    ) -> Iterator[tuple[sp.Expr, Sequence[Piece], Role]]:
+        """What grows or falls with the value, and the values of that: one may be decided sooner.
+
+        A textbook form has no value at a pole, where the angle has one.
+        """
+        if not self.angle:
+            yield self.value, pieces, REAL
+            return
+        role = _role_of_angle(pieces)
+        if not self._has_poles:
+            yield self.value, pieces, role
+        is_never_negative = partial(self._is_never_negative, more=more)
+        tangent = _tangent_of(self.value, pieces, is_never_negative)
+        if tangent is not None:
+            yield *tangent, REAL
+        cosine = _square_of_cosine(self.whole, pieces, is_never_negative)
+        if cosine is not None:
+            yield *cosine, REAL
+        if self._has_poles:
+            yield self.whole, pieces, role
+
+    @cached_property
+    def _has_poles(self) -> bool:
+        symbols = [self.roles[name].symbol(name) for name in self.free]
+        return any(breaks(self.value, symbol, self.roles) for symbol in symbols)
 
     def _is_never_negative(self, value: sp.Expr, more: Sequence[Formula]) -> bool:
         """Whether a value is proved to be 0 or more, for all that is allowed."""
@@ -419,6 +449,28 @@ def _tangent_of(
     return tangent, parts[::factor]
 
 
+def _square_of_cosine(
+    whole: sp.Expr, pieces: Sequence[Piece], is_never_negative: Callable[[sp.Expr], bool]
+) -> tuple[sp.Expr, list[Piece]] | None:
+    """The product cos θ |cos θ| for the angle θ of two vectors, with its values.
+
+    It falls as θ grows, and has a value at 0°, 90° and 180° too, without a root in it.
+    """
+    if not isinstance(whole, sp.atan2) or not is_never_negative(whole.args[0]):
+        return None
+    above, along = whole.args
+    size = along if is_never_negative(along) else sp.Abs(along)
+    parts: list[Piece] = []
+    for low, high in pieces:
+        cosines = (exact.tidy(sp.cos(end.value)) for end in (high, low))
+        ends = [
+            End(exact.tidy(cosine * sp.Abs(cosine)), end.closed)
+            for cosine, end in zip(cosines, (high, low), strict=True)
+        ]
+        parts.append((ends[0], ends[1]))
+    return along * size / (along**2 + above**2), parts[::-1]
+
+
 def _tangent_at(end: sp.Expr, closed: bool) -> sp.Expr | None:
     """The tangent of an end up to a right angle, which is reached at no arctangent."""
     if end.free_symbols:
@@ -446,7 +498,7 @@ def _candidates(
     """Stationary points and ends, letter by letter."""
     roles = outcome.setting.roles
     atoms = region._kept_atoms
-    open_: list[Candidate] = [Candidate(value, {})]
+    open_: list[Candidate] = [Candidate(value, {}), *_at_poles(value, free, roles)]
     for name in free:
         symbol = roles[name].symbol(name)
         after: list[Candidate] = []
@@ -486,6 +538,21 @@ def _candidates(
     return open_
 
 
+def _at_poles(
+    value: sp.Expr, free: Sequence[str], roles: Mapping[str, Role]
+) -> Iterator[Candidate]:
+    """Limits at a pole in one of several letters, if they are the same whatever the others are."""
+    for name in free[1:]:
+        symbol = roles[name].symbol(name)
+        others = {roles[other].symbol(other) for other in free} - {symbol}
+        for point in breaks(value, symbol, roles):
+            if point.free_symbols & others:
+                continue
+            for reduced, sides in limits(value, symbol, point, roles[name], broken=True):
+                if not reduced.free_symbols & others:
+                    yield Candidate(reduced, {name: point}, sides)
+
+
 def _numbers(region: Region, candidate: Candidate, drawn: Sample) -> Sample | None:
     values = dict(drawn)
     try:
@@ -512,15 +579,25 @@ def is_reached(region: Region, candidate: Candidate, drawn: Sample) -> bool:
 def reaches(
     region: Region, value: sp.Expr, candidate: Candidate, number: Enclosed, drawn: Sample
 ) -> bool:
-    """Whether a candidate's value occurs at its place, and is not only come near to there."""
+    """Whether a candidate's value occurs at its place, and is not only come near to there.
+
+    The value is as it is worked out, which tells an angle at a pole of its tangent.
+    """
     if not is_reached(region, candidate, drawn):
         return False
     for known in _others(region, candidate, drawn):
         values = _numbers(region, candidate, known)
         try:
-            if values is not None and not sign_beyond(value, values, number):
+            if values is None:
+                continue
+            if value.has(sp.atan2):
+                if not (angle_at(value, values) - number).sign:
+                    return True
+            elif not sign_beyond(value, values, number):
                 return True
         except (UndefinedError, KeyError):
+            if value.has(sp.atan2):
+                continue
             # An angle at a pole of its tangent, which it has as 90° if it comes near to that.
             return not candidate.sides and tends(region, value, candidate, drawn)
     return False

@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     RIGHT_ANGLE,
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
@@ -386,7 +387,10 @@ class RightAngles:
         sides = list(dict.fromkeys((line.relation.only[-1].right, value)))
         whole = [node for side in sides for node in walk(side)]
         below = [e.right for e in whole if is_binary(e, "/")]
-        for factor in (_of_size(factor) for tree in below for factor in factors_above(tree)):
+        factors = (
+            own for tree in below for factor in factors_above(tree) for own in _sized(factor)
+        )
+        for factor in factors:
             for at in self._zeros(factor):
                 gap = in_letters_alone(Binary("-", at.left, at.right))
                 if gap is None or not self._may_hold(gap, given):
@@ -414,6 +418,11 @@ class RightAngles:
                 for root in sp.roots(sp.Poly(difference, symbol)):
                     if root.is_Rational:
                         yield Link(Letter(name), "=", tree_of(root))
+            if role is not None and role.kind == "angle":
+                upright = {sp.cos(symbol): RIGHT_ANGLE, sp.sin(symbol): Degrees(Fraction(0))}
+                if difference in upright:
+                    yield Link(Letter(name), "=", upright[difference])
+                    return
             if role is not None and role.kind == "angle" and not difference.has(sp.pi):
                 in_tan = sp.cancel(difference.subs(sp.sin(symbol), symbol * sp.cos(symbol)))
                 slope = sp.diff(in_tan, symbol)
@@ -471,9 +480,12 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
     return None
 
 
-def _of_size(tree: Expression) -> Expression:
-    """What a size is taken of; any other tree as it is."""
-    return tree.argument if is_function(tree, "abs") else tree
+def _sized(tree: Expression) -> Iterator[Expression]:
+    """The factors of what a size is taken of; any other tree as it is."""
+    if is_function(tree, "abs"):
+        yield from factors_above(tree.argument)
+    else:
+        yield tree
 
 
 def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
