@@ -126,7 +126,7 @@ def _possible(setting: Setting, facts: Sequence[Fact]) -> bool | None:
     known = roles(problem)
     in_force = givens(problem, part)
     for given, _ in in_force:
-        known = {name: narrowed_by(role, name, given) for name, role in known.items()}
+        known = {name: narrowed_by(role, name, given, known) for name, role in known.items()}
     own = replace(setting, problem=problem, part=part, facts=in_force, roles=known)
     try:
         return bool(work_out(own).accepted)

@@ -319,7 +319,7 @@ def _clashing_bounds(setting: Setting) -> list[int]:
     """The first two lines of facts whose numerical bounds leave one letter no value."""
     facts = [(given, given.place.line) for given, _ in setting.facts if given.place is not None]
     for name in sorted(setting.roles):
-        bounds = [(narrowed_by(REAL, name, given), line) for given, line in facts]
+        bounds = [(narrowed_by(REAL, name, given, setting.roles), line) for given, line in facts]
         for low, one in bounds:
             for high, other in bounds:
                 if one == other or low.low is None or high.high is None:

@@ -512,8 +512,7 @@ def settle(
     known = roles(problem)
     facts = givens(problem, part)
     for given, _ in facts:
-        for name, role in known.items():
-            known[name] = narrowed_by(role, name, given)
+        known = {name: narrowed_by(role, name, given, known) for name, role in known.items()}
     lets = lets_of(problem, part)
     listed = frozenset(in_terms_of or ())
     named = [pair for name, pair in lets.items() if name in listed]

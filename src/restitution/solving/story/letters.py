@@ -7,7 +7,7 @@ default that letters are positive.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -96,7 +96,7 @@ def _roles(problem: Problem) -> dict[str, Role]:
         match step:
             case Let(letter, Binary("+" | "-" as sign, Letter(one), Letter(other))):
                 roles[letter] = of_two_angles(roles[one], sign, roles[other]) or roles[letter]
-    return {name: _narrowed(role, name, problem) for name, role in roles.items()}
+    return {name: _narrowed(role, name, problem, roles) for name, role in roles.items()}
 
 
 def _without_questions(problem: Problem) -> Problem:
@@ -402,17 +402,21 @@ def _measured(problem: Problem) -> dict[str, Role]:
     return roles
 
 
-def _narrowed(role: Role, name: str, problem: Problem) -> Role:
-    """A role with the numerical bounds that the facts of the whole statement put on a letter."""
+def _narrowed(role: Role, name: str, problem: Problem, known: Mapping[str, Role]) -> Role:
+    """A role with the bounds that the facts of the whole statement put on a letter."""
     for part, step in problem.steps():
         if not isinstance(step, Given) or part.label is not None:
             continue
-        role = narrowed_by(role, name, step)
+        role = narrowed_by(role, name, step, known)
     return role
 
 
-def narrowed_by(role: Role, name: str, step: Given) -> Role:
-    """A role with the numerical bounds of one line of facts."""
+def narrowed_by(role: Role, name: str, step: Given, known: Mapping[str, Role]) -> Role:
+    """A role with the numerical bounds of one line of facts.
+
+    A bound below 0 in letters that are ``known`` to be positive lifts the default that a letter
+    is positive, as one in numbers does: −u < w.
+    """
     for relation in step.relations:
         if not isinstance(relation, Compare):
             continue
@@ -425,12 +429,25 @@ def narrowed_by(role: Role, name: str, step: Given) -> Role:
         ):
             if op == "=":
                 continue
-            if isinstance(left, Letter) and left.name == name and _constant(right):
-                role = _bounded(role, in_letters(right), op)
-            elif isinstance(right, Letter) and right.name == name and _constant(left):
-                flipped = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}[op]
-                role = _bounded(role, in_letters(left), flipped)
+            flipped = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}[op]
+            for one, sign, other in ((left, op, right), (right, flipped, left)):
+                if one != Letter(name):
+                    continue
+                if _constant(other):
+                    role = _bounded(role, in_letters(other), sign)
+                elif role.kind == "positive" and _is_negative(other, known):
+                    role = replace(role, kind="real", low=None)
     return role
+
+
+def _is_negative(tree: Expression, known: Mapping[str, Role]) -> bool:
+    """Whether a bound is below 0 as its letters are positive, or coefficients: −u, −2r."""
+    names = letters(tree)
+    if not names or has_quantity(tree) or is_vector(tree) or not names <= known.keys():
+        return False
+    if any(known[name].kind not in ("positive", "restitution") for name in names):
+        return False
+    return bool(in_letters(tree, positive=True).is_negative)
 
 
 def _is_no_positive_number(name: str, relation: Compare) -> bool:
