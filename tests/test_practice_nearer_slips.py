@@ -172,3 +172,57 @@ def test_words_that_reject_a_value_may_begin_with_which() -> None:
     statement += "find angle(velocity(P), W)"
     lines = ("cosβ = 1.147 which is impossible", "cosβ = 1.147, not possible", "tanβ = 3/8")
     assert verdicts(statement, *lines) == ["remark", "remark", "true"]
+
+
+FOUND = """sphere A: mass 2, velocity 4i + 6j
+sphere B: mass 3, velocity i - 2j
+A hits B: along j
+given velocity(B) = i + 2.8j
+find velocity(A), e"""
+
+
+def test_an_answer_by_another_law_follows_through() -> None:
+    lines = ("12 + 6 = 2v + 8.4", "v = 4.8", "A: 4i + 4.8j", "2.8 - 4.8 = 8e", "e = -0.25")
+    kinds = marks(FOUND, *lines, v="along(velocity(A), j)")
+    assert kinds == ["earned", "earned", "lost", "lost", "earned", "earned", "earned"]
+
+
+def test_the_laws_at_a_wrong_line_of_centres_follow_through() -> None:
+    statement = """sphere A: mass 2m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1/2
+find speed(B)"""
+    letters = {
+        "v": "along(velocity(A), line_of_centres)",
+        "w": "along(velocity(B), line_of_centres)",
+    }
+    letters["θ"] = "angle(velocity(A, 0), line_of_centres)"
+    lines = ("tan θ = r/(2r), θ = 26.6°", "2ucos26.6 = 2v + w", "w - v = 1/2 ucos26.6")
+    states = marks(statement, *lines, "w = 0.894u", **letters)
+    assert states[0] == "lost" and states[3:8] == ["earned"] * 5
+
+
+def test_decimals_may_have_commas() -> None:
+    lines = ("u = v + 3w", "w - v = 0,6u", "4w = 1,6u so w = 0,4u", "v = -0,2u")
+    assert verdicts(DIRECT, *lines) == ["true"] * 4
+    columns = ("(-4, -2) = 2(v - (6,4))", "v = (4,3)")
+    assert verdicts(GIVEN.replace("velocity(B)", "velocity(A)"), *columns)[1] == "true"
+
+
+def test_a_wall_across_his_own_direction_follows() -> None:
+    statement = """wall W
+sphere P: mass 2, velocity 4i - 7j
+P hits W
+given velocity(P) = 7i - j
+find impulse(P), direction(W)"""
+    lines = ("I = 2(7i - j - 4i - 7j) = 6i - 16j", "normal 3i - 8j", "wall parallel to 8i + 3j")
+    assert verdicts(statement, *lines) == ["false", "follows", "follows"]
+
+
+def test_energies_in_letters_before_and_after_lead_to_what_is_lost() -> None:
+    statement = """sphere A: mass m, velocity 3u i + 2u j
+sphere B: mass 2m, velocity -u i + u j
+A hits B: along i, e = 1/2
+find energy_lost, energy_lost/energy(0)"""
+    lines = ("before 17mu²/2", "after 1/2 m(5u²) + m(2u²) = 11mu²/2", "loss 3mu²")
+    assert verdicts(statement, *lines) == ["true", "false", "follows"]

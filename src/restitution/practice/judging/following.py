@@ -237,7 +237,7 @@ class Following(NearlyTrue):
             if own is None:
                 continue
             for entry in self.entries:
-                above = self._line_along(entry.claim) if entry.wrong else None
+                above = None if entry.right else self._line_along(entry.claim)
                 if above is not None and _are_parallel(above, own):
                     return JudgedLink("follows", claim, "exact", (entry.number,))
         return None

@@ -138,7 +138,8 @@ class Grounds:
         marks = [self.states[other.id] for other in above if other.id in self.states]
         lost = [mark for mark in marks if mark.state == "lost"]
         by_these = [mark for mark in lost if self._rests_on(mark.line, numbers)]
-        if any(_is_of_a_law(mark.point) for mark in by_these):
+        laws = [mark.point for mark in by_these if _is_of_a_law(mark.point)]
+        if laws and not self._is_of_another_law(point, laws):
             return False
         angles = [mark for mark in lost if mark.point.principle in OF_ANGLES]
         wrong = [root for root in roots if self._is_of_wrong_angle(root)]
@@ -150,6 +151,21 @@ class Grounds:
             and not mark.point.equation
             and not _is_ratio_of_angle(mark.point)
             for mark in [*by_these, *unseen]
+        )
+
+    def _is_of_another_law(self, point: MarkPoint, laws: Sequence[MarkPoint]) -> bool:
+        """Whether an answer has a right method of its own, and other laws have been lost.
+
+        So has an e by Newton's law below a wrong momentum, and an impulse below either.
+        """
+        own = [self.states[x] for x in point.depends if x in self.states]
+        methods = [mark for mark in own if mark.point.principle in (*LAWS, "impulse")]
+        lost = {law.principle for law in laws}
+        return (
+            point.item is not None
+            and bool(methods)
+            and all(mark.state == "earned" for mark in methods)
+            and all(mark.point.principle not in lost for mark in methods)
         )
 
     def _has_lost_law(self, line: JudgedLine) -> bool:
@@ -484,13 +500,18 @@ class Grounds:
         )
 
     def _spoils_laws(self, point: MarkPoint, root: JudgedLine) -> bool:
-        """Whether no equation of a law is right below a mistake: an angle, or sine for cosine.
+        """Whether no equation of a law is right below a mistake: a component, or sine for cosine.
 
         At a wall what is exchanged in one component is so in the other.
         """
         exchanged = root.mistake is not None and root.mistake.id == "sine-cosine"
         at_a_wall = exchanged and self.values.is_at_a_wall(point)
-        return self.values.is_of_geometry(root) or at_a_wall or self._resolves(root)
+        return at_a_wall or self._resolves(root)
+
+    def _is_at_own_line(self, line: JudgedLine) -> bool:
+        """Whether all that is wrong with a law is the angle of the line of centres above it."""
+        roots = self._roots(line)
+        return bool(roots) and all(map(self.values.is_of_geometry, roots))
 
     def _resolves(self, line: JudgedLine) -> bool:
         """Whether a line works out a component of what is given: ``8 cos 60 = 4√3``."""

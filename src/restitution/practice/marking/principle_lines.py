@@ -89,7 +89,7 @@ class PrincipleLines(Grounds):
         ):
             return False
         return any(
-            other.verdict == "false"
+            other.verdict in ("false", "follows")
             and any(
                 own.principle == law and own.event in (None, use.event) and own.altered
                 for own in fitting_uses(other)[:1]

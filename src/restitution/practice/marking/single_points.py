@@ -356,6 +356,8 @@ class SinglePoints(PrincipleLines):
         for line, use in self._uses(point):
             altered = use.altered is not None
             through = line.verdict == "follows" and self._follows_through(point, line)
+            if line.verdict == "follows" and self._is_at_own_line(line):
+                return self._earned(point, line, "right along his line of centres")
             if line.verdict in ("true", "remark") or through:
                 if not altered and (lost is None or line.verdict != "follows"):
                     return self._earned(point, line, "")

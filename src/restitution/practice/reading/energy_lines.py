@@ -26,6 +26,7 @@ _SUM = re.compile(r"[^-−=]*\+[^-−=]*=(?:[^=]*=)*\s*(\d[\d./]*)\s*(?:J\b\s*)?
 _JOULES = re.compile(r"\d\s*(?:J|joules?)\b")
 # What an energy is written with: numbers, masses and speeds, and no unit vectors.
 _AMOUNT = re.compile(r"(?:[\d\s.+*/x·÷()^²=√|-]|(?<![A-Za-z])[emMuUkv]{1,3}(?![A-Za-z])|J\b)+")
+_LETTER = re.compile(r"(?<![A-Za-z])[muvMU]{1,3}(?![A-Za-z])")
 _HALF = re.compile(r"(?<!\d)1/2(?!\d)|½|(?<!\d)0?\.5(?!\d)")
 _LOSS = re.compile(r"\b(?:los[st]|loss|loses|gain(?:ed)?|difference)\b", re.IGNORECASE)
 
@@ -37,7 +38,7 @@ def with_energy_labels(
 
     They are where the question asks for an energy, there is a line of each stage, and they are
     halves of products, in joules, or followed by what is lost. Of a share that is asked numbers
-    alone may be in other units.
+    alone may be in other units; letters of masses and speeds tell that they are energies.
     """
     asked = [tree for tree in _asked(problem) if _is_of_energy(tree)]
     lines = _with_energies_along(lines) if asked and len(problem.spheres) > 1 else lines
@@ -52,6 +53,7 @@ def with_energy_labels(
     halved = all(_HALF.search(text) for text in texts)
     joules = any(_JOULES.search(line.text) for line in lines)
     whole = not any(is_binary(tree, "/") for tree in asked)
+    whole = whole or all(map(_LETTER.search, texts))
     lost = whole and any(_LOSS.search(line.text) for line in lines)
     if not (halved or joules or lost):
         return lines, frozenset()

@@ -15,6 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 from restitution.practice.reading.chains import Past, Statements
 from restitution.practice.reading.characters import Plain, plain
+from restitution.practice.reading.decimal_commas import with_decimal_points
 from restitution.practice.reading.energies import energy_links
 from restitution.practice.reading.energy_lines import with_energy_labels
 from restitution.practice.reading.headings import (
@@ -72,7 +73,8 @@ def read_working(text: Working, problem: Problem, declared: Collection[str] = ()
     are no mathematics, are ``unread``.
     """
     typed = list(_typed(text))[: MAX_LINES + 1]
-    texts = with_angles([line.text[: MAX_LENGTH + 1] for line in typed[:MAX_LINES]], problem)
+    texts = with_decimal_points([line.text[: MAX_LENGTH + 1] for line in typed[:MAX_LINES]])
+    texts = with_angles(texts, problem)
     of_question = {*letters_of_question(problem), *declared}
     plains = [plain(without_steady_motion(text, of_question)) for text in texts]
     # The a of (a) is no letter of the working.
