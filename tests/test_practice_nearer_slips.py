@@ -205,6 +205,9 @@ find speed(B)"""
 def test_decimals_may_have_commas() -> None:
     lines = ("u = v + 3w", "w - v = 0,6u", "4w = 1,6u so w = 0,4u", "v = -0,2u")
     assert verdicts(DIRECT, *lines) == ["true"] * 4
+    speeds = ("v cosβ = 4, v sinβ = 3/2", "v = √(4² + 1,5²) = 4,27")
+    statement = "wall W: along i\nsphere P: mass 2, velocity 4i - 3j\nP hits W: e = 1/2\n"
+    assert verdicts(statement + "find speed(P)", *speeds)[1] == "true"
     columns = ("(-4, -2) = 2(v - (6,4))", "v = (4,3)")
     assert verdicts(GIVEN.replace("velocity(B)", "velocity(A)"), *columns)[1] == "true"
 

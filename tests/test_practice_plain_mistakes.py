@@ -60,7 +60,7 @@ FRACTION = "v + w = ucosα\nw - v = 0.5ucosα\nw = 0.75ucosα v = 0.25ucosα\n"
         (ELASTIC, "mu√3/2 = mv + mw\nw - v = u√3/2", "restitution-omitted"),
         (WALL, "v = 3i - 5j - 8i + 16j", "mass-omitted"),
         (HALF, "α = 30\nKE after = ½(2m)(u/2)²", "energy-one-sphere"),
-        (STOPPED, "mucos45 = 2mw\nw = eu", "speed-for-component"),
+        (STOPPED, "mucos45 = 2mw\nw = eu", "restitution-whole-speed"),
     ],
 )
 def test_the_first_false_line_has_its_name(statement: str, working: str, name: str) -> None:

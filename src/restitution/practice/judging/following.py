@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     is_function,
     is_quantity,
     letters,
+    quantities_in,
     unsigned,
     walk,
 )
@@ -188,7 +189,10 @@ class Following(NearlyTrue):
         """A line that is true, or follows, with what the student's wrong numbers stand for."""
         for claim in self._in_all_meanings(link, line):
             for own, numbers in self._own_numbers.put_back(claim):
-                worlds = (*self.worlds, *islice(self.students(), 1))
+                worlds: Sequence[World] = self.worlds
+                if _quantities_of(own) <= _quantities_of(claim):
+                    # A product of data is in his world what it is in the true one.
+                    worlds = (*worlds, *islice(self.students(), 1))
                 # What was rounded above the wrong number is no decimal of this line.
                 grade = self._best_accuracy(own, worlds, line, link) or next(
                     (g for w in worlds if (g := self._loosely(own, w, line, link))), None
@@ -640,6 +644,11 @@ class Following(NearlyTrue):
                         continue
 
         return worth
+
+
+def _quantities_of(claim: Claim) -> frozenset[Quantity]:
+    """The quantities of a story that a claim names."""
+    return frozenset(x for side in (claim.left, claim.right) for x in quantities_in(side))
 
 
 def _are_parallel(one: Vector, other: Vector) -> bool:
