@@ -299,6 +299,13 @@ find velocity(P), speed(P)
         ("(8, -6) becomes (8, 4.5)", "true", False),
         ("(8, -6) becomes (8, 1.5) then (-2, 1.5)", "false", False),
         ("(8, -6) becomes (-2, 4.5) then (8, 4.5)", "false", False),
+        ("(8, -6) → (8, 3/4 × 6) = (8, 4.5) → (-2, 4.5)", "true", True),
+        ("P: 8i - 6j => 8i + 4.5j -> -2i + 4.5j", "true", True),
+        ("at AB: (8, -6) → (8, 4.5)", "true", False),
+        ("at AB: (8, -6) → (8, -4.5)", "false", False),
+        ("after BC = -2i + 4.5j", "true", True),
+        ("after the first wall = (8, 4.5)", "true", False),
+        ("after BC = 2i + 4.5j", "false", False),
     ],
 )
 def test_a_vector_becomes_another_at_every_impact(line: str, verdict: str, earned: bool) -> None:
@@ -306,6 +313,30 @@ def test_a_vector_becomes_another_at_every_impact(line: str, verdict: str, earne
     assert verdicts(found) == [verdict]
     (answer,) = [p for p in found["marks"]["points"] if p["for"] == "correct answer"][:1]
     assert (answer["state"] == "earned") == earned
+
+
+def test_a_wrong_velocity_after_the_second_wall_withdraws_none_after_the_first() -> None:
+    statement = SQUARE.replace("find velocity(P), speed", "find velocity(P, 1), velocity")
+    found = marking(statement, "after AB: 8i + 4.5j", "after BC: 2i + 4.5j")
+    assert verdicts(found) == ["true", "false"]
+    states = [point["state"] for point in found["marks"]["points"]]
+    assert states == ["earned"] * 4 + ["lost"] * 2
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("perp before 6, perp after ¾ of it = 4.5", "true"),
+        ("into AB 6, out of AB three quarters of that = 4.5", "true"),
+        ("into AB 6, out of AB 1/4 of it = 1.5", "false"),
+        ("along AB 10cos(36.9) = 8 - doesn't change", "true"),
+        ("along AB = 8 - it stays the same", "true"),
+        ("along AB = 6 - unchanged", "false"),
+    ],
+)
+def test_a_line_goes_back_to_its_own_value(line: str, verdict: str) -> None:
+    statement = SQUARE.replace("P hits BC: e = 1/4\n", "")
+    assert verdicts(marking(statement, line)) == [verdict]
 
 
 # By hand: A has 4u along the line and 3u across it; 12u = 3v + w, w - v = 2u.

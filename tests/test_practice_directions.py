@@ -95,6 +95,10 @@ find direction(W), e
         ("so the wall is in the direction 2i + 2j", "earned"),
         ("wall = (1, 1)", "earned"),
         ("the wall is along i - j", "lost"),
+        ("wall is perpendicular to the impulse so it is parallel to i + j", "earned"),
+        ("W ⟂ -i + j => along (1, 1)", "earned"),
+        ("I = 11.3, wall parallel to 2i + 2j", "earned"),
+        ("W is perpendicular to J, so parallel to i + 2j", "lost"),
     ],
 )
 def test_a_wall_lies_along_a_vector(typed: str, state: str) -> None:

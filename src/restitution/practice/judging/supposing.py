@@ -31,6 +31,7 @@ _EXTREME = re.compile(
 )
 _CLOSE = 1e-6  # of a fact that holds
 _BECOMING = re.compile(r"\b(becomes?|changes? to|goes to|turns into)\b", re.IGNORECASE)
+_ARROW = re.compile(r"[-=]+>|[→⇒⟹⟶⇨➜➔➡]")
 
 
 def speaks_of_an_extreme(line: ScriptLine) -> bool:
@@ -111,17 +112,24 @@ def _is_consistent(world: World) -> bool:
         return all(np.all(np.abs(equation.residual(world)) < _CLOSE) for equation in equations)
 
 
+def becomes_vector(claim: Claim, line: ScriptLine) -> bool:
+    """Whether a claim in a line may say that a vector becomes another."""
+    between = _BECOMING.search(line.text) or _ARROW.search(line.text)
+    vectors = is_vector(claim.left, frozenset()) and is_vector(claim.right, frozenset())
+    return between is not None and vectors
+
+
 def changes_of_sizes(
     claim: Claim, line: ScriptLine, world: World
 ) -> Iterator[tuple[Claim, Claim, Claim]]:
     """What ``4 becomes 2`` may say: the sizes of a component before and after an impact.
 
-    Or, of vectors, the velocities before and after one: ``(6, -3) becomes (6, 2)``. Behind
-    both is what the line states.
+    Or, of vectors, the velocities before and after one: ``(6, -3) becomes (6, 2)``, or with an
+    arrow between them. Behind both is what the line states.
     """
-    if claim.sign != "=" or not _BECOMING.search(line.text):
+    vectors = becomes_vector(claim, line)
+    if claim.sign != "=" or not (vectors or _BECOMING.search(line.text)):
         return
-    vectors = is_vector(claim.left, frozenset()) and is_vector(claim.right, frozenset())
     for number in world.lines:
         axis = Quantity("line_of_centres", (), number)
         for name in world.start:

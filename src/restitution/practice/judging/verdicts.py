@@ -372,12 +372,15 @@ class Judge(Unlabelled):
         own: Iterator[tuple[Verdict, World]] = (
             ("follows", world) for world in (self.students() if self.wrong else ())
         )
+        wrong: JudgedLink | None = None
         for verdict, world in chain(true, own):
             for *pair, stated in changes_of_sizes(claim, line, world):
                 first, second = (self.accuracy(claim, world, line, link) for claim in pair)
                 if first is not None and second is not None:
                     return JudgedLink(verdict, stated, second)
-        return None
+                if first is not None and stated != claim:
+                    wrong = wrong or JudgedLink("false", stated)
+        return wrong
 
     def _explained_in(self, line: ScriptLine, links: Sequence[JudgedLink], place: int) -> Explained:
         """What explains a link that is false, also as one of what its chain begins with.
@@ -686,7 +689,10 @@ class Judge(Unlabelled):
                     missing.add(claim.left.name)  # since when it counts, nobody knows
                 elif not missing:
                     own = self._in_unit_of_vector(claim, line)
-                    return JudgedLink("false", self._at_heading(own, line))
+                    there = self._at_heading(own, line)
+                    if there.left == own.left or not isinstance(own.left, Letter):
+                        return JudgedLink("false", there)
+                    return JudgedLink("false", there, meant=((own.left.name, there.left),))
         first = link.readings[0]
         if missing:
             return JudgedLink("asks", first, letters=frozenset(missing))

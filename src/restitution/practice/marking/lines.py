@@ -23,6 +23,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.judging.angles import INVERSE
+from restitution.practice.judging.supposing import becomes_vector
 from restitution.practice.reading.relations import hundredth
 from restitution.practice.script import Claim, Link
 from restitution.practice.worlds.principles import is_worked
@@ -196,7 +197,10 @@ def chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
     chain: list[Claim] = []
     for link in line.line.links:
         claim = _of_direction(link.readings[0])
-        if chain and not chain[-1].leads_to(claim):
+        if chain and becomes_vector(claim, line.line):
+            yield chain
+            chain = []
+        elif chain and not chain[-1].leads_to(claim):
             counted = replace(claim, left=hundredth(claim.left), right=hundredth(claim.right))
             if chain[-1].leads_to(counted):
                 claim = counted

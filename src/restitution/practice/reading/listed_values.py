@@ -19,7 +19,7 @@ STAGE_BEFORE_A_NAME = re.compile(
 )
 # ``after AB: 8i + 3/5(5)j = 8i + 3j``, where one sphere comes to walls
 AFTER_A_WALL = re.compile(
-    r"^(\s*(?:after|at)\s+(?:wall\s+)?([A-Z]\w{0,2})\s*:)\s*"
+    r"^(\s*(?:after|at)\s+(?:wall\s+)?([A-Z]\w{0,2})\s*:)\s*(?!.*\bbecomes\b)"
     r"(?=[^=:a-hk-z]*\di\s*[-+−][^=:a-hk-z]*j\b(?:[^:]*j)?[\s.]*$)"
 )
 OF_BODIES = re.compile(
@@ -42,6 +42,34 @@ NORMAL_BEHIND = re.compile(
     r"(?:the\s+)?(?:normal|perp(?:endicular)?)\s+to\s+(?:the\s+)?(?:wall|cushion|barrier)[\s.]*$",
     re.IGNORECASE,
 )
+
+# From one velocity to the next: ``at W: (6, -10) → (6, 0.4 × 10)``, ``B: 4i → 2i + j``.
+_OF_ANY = (
+    r"\([^(),=<>]{1,20},[^(),=<>]{1,20}\)|[-−]?[\d./√]*[a-z]?i\s*[-+−]\s*[\d./√]*[a-z]?j\b"
+)
+ARROW = re.compile(
+    rf"(^\s*(?:([A-Z]\w?)\s*:\s*)?|:\s*|(?<=\bbecomes ))({_OF_ANY})\s*"
+    r"(?:=+>|-+>)\s*(?=\([^(),=<>]+,|[-−]?\s?[\d./√½⅓⅔¼¾×*]*[a-z]?i\b)"
+)
+
+# A heading with a sign behind it: ``after W = 6i + 4j``, ``after 2nd hit = -4i + 4j``.
+HEADING_IS = re.compile(
+    r"^(\s*(?:so\s+)?(?:just\s+|straight\s+)?(?:after|before)"
+    r"(?:\s+(?:the|wall|cushion|impact|collision|hit|bounce|hitting|striking|with|off|on|first|second|third"
+    r"|1st|2nd|3rd|[A-Z]\w{0,2}))*)\s*=\s*"
+    r"(?=[-−(]?\s?[-−(]?[\d./√½⅓⅔¼¾×*()]*\s?[a-z]?i\s*[-+−]|\([^(),=<>]{1,20},[^(),=<>]{1,20}\))"
+)
+
+
+def from_one_to_another(match: re.Match[str], problem: Problem) -> str:
+    """What a velocity becomes, or the velocities of a sphere before and after."""
+    begins, name, vector = match.groups()
+    spheres = {sphere.name for sphere in problem.spheres}
+    if name not in spheres:
+        return f"{begins}{vector} becomes "
+    if len(spheres) == 1:
+        return f"{vector} becomes "
+    return f"velocity of {name} before = {vector}, velocity of {name} after = "
 
 
 def stage_before_a_name(match: re.Match[str], _: Problem) -> str:

@@ -19,7 +19,7 @@ SIZE_OF_A_VECTOR = re.compile(
 )
 _OF_A_VECTOR = re.compile(r"^\s*([A-Za-z](?:_?[A-Z])?)\s*=.*\d?[ij]\)?(?:/\d+)?\s*$")
 
-_SHARES = {
+SHARES_IN_WORDS = {
     "half": "1/2",
     "third": "1/3",
     "quarter": "1/4",
@@ -92,7 +92,7 @@ def size_of_a_vector(match: re.Match[str], _: Problem) -> str:
 def share_of_energy(match: re.Match[str], _: Problem) -> str:
     """The share that is lost, as a label with its value."""
     share = " ".join(match[1].lower().split())
-    return f"; fraction lost = {_SHARES.get(share, share)}"
+    return f"; fraction lost = {SHARES_IN_WORDS.get(share, share)}"
 
 
 def lost(match: re.Match[str], problem: Problem) -> str:

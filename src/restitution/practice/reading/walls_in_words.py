@@ -55,10 +55,26 @@ LIES_AT = re.compile(
 # How a wall lies, by a vector: ``so the wall is parallel to 2i + j``.
 _PART = r"[-+−]?\s*[\d./√½⅓⅔¼¾()]*\s*"
 LIES_ALONG = re.compile(
-    r"^(\s*(?:so|hence|then|therefore)?\s*)(?:(?:the\s+)?direction\s+of\s+)?(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s*"
+    r"(^|[,;]|\band\b)(\s*(?:so|hence|then|therefore)?\s*)(?:(?:the\s+)?direction\s+of\s+)?(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s*"
     r"(?:=|:|is|runs|lies|goes)?\s*"
     r"(?:along|parallel\s+to|∥|//|(?:in\s+the\s+)?direction(?:\s+of)?)?\s*(?:=|:|is)?\s*"
     rf"(?=[(<]?\s*{_PART}[a-hk-z]?i\s*[-+−]{_PART}[a-hk-z]?j\b|[(<]\s*-?\d+\s*,\s*-?\d+\s*[)>]\s*$)"
+)
+
+# The same from what is at right angles to it: ``wall is perp to I so parallel to i + 2j``.
+_A_VECTOR = (
+    rf"[(<]?\s*{_PART}[a-hk-z]?i\s*[-+−]{_PART}[a-hk-z]?j\s*[)>]?|[(<]\s*-?\d+\s*,\s*-?\d+\s*[)>]"
+)
+LIES_ACROSS = re.compile(
+    r"(^|[,;]|\band\b)\s*(?:so|hence|then|therefore)?\s*(?:(?:the\s+)?direction\s+of\s+)?"
+    r"(?:the\s+)?(wall|cushion|barrier|[A-Z]\w{0,2})\s+(?:(?:is|must\s+be|lies|runs)\s+)?"
+    r"(?:perp(?:endicular)?|at\s+(?:right\s+angles|90\s*(?:°|degrees)?)|normal)(?:\s+to)?\s+"
+    rf"(?:({_A_VECTOR})|(?:the\s+)?(?:impulse|change\s+(?:in|of)\s+(?:velocity|momentum|v)|[IJ]|this|that"
+    r"|it|v\s*-\s*u|line\s+of\s+(?:the\s+)?impulse))\s*"
+    r"(?:[,;:]\s*|=+>\s*|\b(?:so|hence|therefore|thus|and|i\.?e\.?|which\s+is|that\s+is)\b\s*)+"
+    r"(?:(?:it|the\s+wall|wall|direction)\s*(?:'s|\s+is|\s+lies|\s+runs|=|:)?\s+)?"
+    r"(?:along|parallel\s+to|parallel|(?:in\s+the\s+)?direction(?:\s+of)?)?\s*[:=]?\s*"
+    rf"(?={_A_VECTOR})"
 )
 
 # What is at right angles to it: ``normal is 2i - j``.
@@ -91,11 +107,23 @@ _VERB = re.compile(r"=|∥|//|\b(?:is|runs|lies|goes|along|parallel|direction)\b
 def lies_along(match: re.Match[str], problem: Problem) -> str:
     """The direction of a wall as a label, where the words say it of one."""
     names = {wall.name for wall in problem.walls}
-    known = match[2] in names or (len(names) == 1 and match[2] in ("wall", "cushion", "barrier"))
+    named = match[3]
+    known = named in names or (len(names) == 1 and named in ("wall", "cushion", "barrier"))
     if not known or len(names) > 1:
         return match[0]
+    begins = f"{match[1] and ';'}{match[2]}"
     # A label alone, wall: i + j, may be of another vector.
-    return f"{match[1]}parallel to wall: " if _VERB.search(match[0]) else f"{match[1]}wall: "
+    return f"{begins}parallel to wall: " if _VERB.search(match[0]) else f"{begins}wall: "
+
+
+def lies_across(match: re.Match[str], problem: Problem) -> str:
+    """The direction of the only wall as a label, and that across it where a vector says so."""
+    begins, wall, normal = match.groups()
+    names = {wall.name for wall in problem.walls}
+    if len(names) != 1 or not (wall in names or wall in ("wall", "cushion", "barrier")):
+        return match[0]
+    across = f"perpendicular to wall: {normal}; " if normal else ""
+    return f"{begins and ';'} {across}parallel to wall: "
 
 
 def lies_at(match: re.Match[str], problem: Problem) -> str:
