@@ -257,3 +257,129 @@ def test_a_wrong_number_goes_on_in_products_with_letters_and_beside_rounded_ones
         restitution.parse(bend), "\n".join(lines), part="b", letters=letters
     ).json()
     assert [line["verdict"] for line in marking["lines"]] == ["false", "follows"]
+
+
+# By hand: V cos 35 = 8 cos 60, so V = 4.883; V sin 35 = 8e sin 60.
+OFF = """
+wall W: along i
+sphere P: mass 1, velocity 8 at 60° to W
+P hits W
+given angle(velocity(P), W) = 35°
+find e, speed(P)
+"""
+
+
+def test_a_value_of_a_true_equation_stands_beside_that_of_a_wrong_one() -> None:
+    lines = ["8cos60 = Vcos35", "8sin60 = Vsin35", "V = 12.08", "V = 4.88"]
+    found = marked(OFF, None, *lines, V="speed(P)")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "follows", "true"]
+
+
+def test_a_ratio_is_no_value_before_it_is_worked_out() -> None:
+    ratio = "V = 8cos60/cos35"
+    purposes = {"right": "V = 4.88", "wrong": "V = 4.28", "left": "so that is V"}
+    last = {
+        name: marked(OFF, None, ratio, line, V="speed(P)")["marks"]["points"][-1]["state"]
+        for name, line in purposes.items()
+    }
+    assert last == {"right": "earned", "wrong": "lost", "left": "earned"}
+
+
+def test_a_decimal_of_four_figures_may_be_cut_off() -> None:
+    lines = ["V = 4.882", "V = 4.883", "V = 4.881", "V = 4.87"]  # 4.8831
+    assert [marked(OFF, None, x, V="speed(P)")["lines"][0]["verdict"] for x in lines] == [
+        *("false", "true", "false", "false")
+    ]
+    assert marked(OFF, None, "e = 0.4042")["lines"][0]["verdict"] == "true"  # 0.40426
+
+
+# By hand: along the line 13u × 12/13 = 12u and across it 5u.
+RESOLVED = """
+sphere A: mass m, velocity 13u at alpha
+given tan(alpha) = 5/12
+sphere B: mass 3m, at rest
+A hits B: along i, e = 1/3
+find speed(A), speed(B)
+"""
+
+
+def test_the_other_component_with_sine_for_cosine_is_no_second_mistake() -> None:
+    first = "along the line of centres 13u sinα = 5u"
+    found = marked(RESOLVED, None, first, "perp: 12u")
+    assert [line["verdict"] for line in found["lines"]] == ["false", "follows"]
+    assert found["lines"][0]["mistake"]["id"] == "sine-cosine"
+    assert marked(RESOLVED, None, first, "perp: 11u")["lines"][1]["verdict"] == "false"
+
+
+def test_the_way_of_a_component_may_stand_behind_it() -> None:
+    lines = ["A keeps 13u sinα = 5u at right angles", "A also has 13u × 5/13 = 5u across"]
+    found = marked(RESOLVED, None, *lines)
+    assert [line["principle"] for line in found["lines"]] == ["unchanged"] * 2
+    assert (
+        marked(RESOLVED, None, "A has 13u cosα = 12u perpendicular")["lines"][0]["verdict"]
+        == "false"
+    )
+
+
+def test_what_is_done_to_an_equation_stands_before_it() -> None:
+    lines = ["Vcos35 = 4", "÷cos35: V = 4/cos35", "×e: eV = 4e/cos35 = 4.88e", "x2: 2V = 9"]
+    found = marked(OFF, None, *lines, V="speed(P)")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "true", "true", "false"]
+
+
+# By hand: v + w = 8, w - v = 8e and ½·½(64 - v² - w²) = 6, so 1 - e² = 3/4 and e = 1/2.
+HALVES = """
+sphere A: mass 1/2, velocity 8i + 3j
+sphere B: mass 1/2, at rest
+A hits B: along i
+given energy_lost = 6
+find e, velocity(A)
+"""
+
+
+def test_a_half_that_is_left_out_is_that_of_the_energy_where_the_mass_is_one_as_well() -> None:
+    lines = ["v + w = 8", "w - v = 8e", "w = 4(1 + e), v = 4(1 - e)", "1/2(64 - v² - w²) = 6"]
+    along = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    found = marked(HALVES, None, *lines, "e = 0.791", **along)
+    points = {p["for"]: p["state"] for p in found["marks"]["points"]}
+    assert points["kinetic energy"] == "earned"
+    third = lines[3].replace("1/2(", "1/3(")
+    points = {
+        p["for"]: p for p in marked(HALVES, None, *lines[:3], third, **along)["marks"]["points"]
+    }
+    assert points["kinetic energy"]["why"] != "masses left out"
+
+
+# By hand: after AB 5 cos 60 = 2.5 and 0.6 × 5 sin 60 = 2.60, at 46.1° to AB; 23.9° to BC.
+BEND = """
+wall AB: along i
+wall BC: along 70°
+sphere P: velocity 5 at 60° to AB
+P hits AB: e = 3/5
+P hits BC: e = 1/2
+find speed(P)
+"""
+
+
+def test_the_angle_at_the_wall_before_is_known_by_its_value() -> None:
+    for line in ("angle to BC = 46.1", "angle with BC is 46.1°", "hits BC at 46.1°"):
+        (only,) = marked(BEND, None, line)["lines"]
+        assert only["mistake"]["id"] == "second-wall-angle"
+
+
+# By hand: the change is -8i + 4j; along 2i - j the approach is 12, the separation 4 + 4 = 8.
+SLAB = """
+wall W
+sphere P: mass 2, velocity 6i
+P hits W
+given velocity(P) = -2i + 4j
+find e
+"""
+
+
+def test_a_sign_in_a_scalar_product_is_no_mistake_in_restitution() -> None:
+    lines = ["approach = 12", "separation = -4 + 4 = 0"]
+    right = marked(SLAB, None, "approach = 12", "separation = 4 + 4 = 8", "e = 2/3")
+    assert [line["verdict"] for line in right["lines"]] == ["true"] * 3
+    found = marked(SLAB, None, *lines)
+    assert found["lines"][1]["mistake"]["id"] != "restitution-sign"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import permutations
 
 from restitution.expression.tree import (
@@ -91,6 +92,33 @@ def is_speed_in_other_ratio(entry: Entry, world: World) -> bool:
         for moment in stages
         if any(has_value(Quantity("speed", body, moment), x, entry, world) for x in factors)
     )
+
+
+def is_exchanged_as_well(entry: Entry, above: Entry, world: World) -> bool:
+    """Whether two lines give a body each component the size of the other one, sine for cosine."""
+    first, second = (unsigned(meant_by(one)) for one in (above, entry))
+    if not is_component(first) or not is_component(second) or first.kind == second.kind:
+        return False
+    return first.arguments[1] == second.arguments[1] and all(
+        any(
+            has_value(
+                Apply("abs", replace(other, arguments=(moment, other.arguments[1]))),
+                Apply("abs", one.claim.right),
+                one,
+                world,
+            )
+            for moment in _moments(other)
+        )
+        for one, other in ((above, second), (entry, first))
+    )
+
+
+def _moments(component: Quantity) -> Iterator[Expression]:
+    """The velocity of which a component is, at its moment and before its impact."""
+    velocity = component.arguments[0]
+    yield velocity
+    if isinstance(velocity, Quantity) and isinstance(velocity.stage, int) and velocity.stage:
+        yield replace(velocity, stage=velocity.stage - 1)
 
 
 def _factors_in(tree: Expression) -> Iterator[Expression]:

@@ -42,6 +42,7 @@ from restitution.practice.judging.entries import (
     names_of,
     sources_of,
 )
+from restitution.practice.judging.exchanged_components import is_exchanged_as_well
 from restitution.practice.judging.holding import OWN_ROUNDING
 from restitution.practice.judging.judged_link import (
     REPEATED,
@@ -489,6 +490,9 @@ class Following(NearlyTrue):
         entry = replace(self._entry_of(line, link, link.readings[0]), right=False, wrong=True)
         if (number := self._once_more(entry)) is not None:
             return JudgedLink("follows", link.readings[0], "exact", (number,), REPEATED)
+        for other in self.entries:
+            if not other.right and is_exchanged_as_well(entry, other, self._base):
+                return JudgedLink("follows", entry.claim, "exact", (other.number,), REPEATED)
         uses = [use for use in self.uses_of_entry(entry) if use.altered]
         again = {_family(use.altered) for use in uses if use.altered}
         for number, mistake in self._explained.items():
@@ -551,12 +555,18 @@ class Following(NearlyTrue):
         return not uses or any(use.altered or use.principle != "unchanged" for use in uses)
 
     def _is_fudged(self, entry: Entry) -> bool:
-        """Whether a true value stands below his own equation for it, of another: ``e² = -4/9``."""
+        """Whether a true value stands below his own equation for it, of another: ``e² = -4/9``.
+
+        It may be the value of a true equation above: of ``v cos 40 = 6 cos 55``.
+        """
         above = self.entries[-1] if self.entries else None
         if above is None or above.right or above.claim.sign != "=" or not entry.is_value:
             return False
         name = entry.claim.left
-        return isinstance(name, Letter) and names_of(above.claim) == {name.name}
+        if not isinstance(name, Letter) or names_of(above.claim) != {name.name}:
+            return False
+        alone = [x for x in self.entries if x.right and names_of(x.claim) == {name.name}]
+        return not any(self._support.leads_to(entry, [other]) for other in alone)
 
     def _is_grounded(self, entry: Entry) -> bool:
         """Whether a true line follows from true lines and laws that are not broken, or is a law.

@@ -223,7 +223,7 @@ class Names:
             variants = tuple(variant for variant in variants if variant.mistake == plain)
         if families == _OF_DEFLECTION and adds_two_angles(entry.claim.right):
             variants = tuple(v for v in variants if v.mistake == "deflection-difference")
-        if plain == "energy-of-difference" and plain not in families:
+        if plain in ("energy-of-difference", "second-wall-angle") and plain not in families:
             variants = ()  # a square of a difference is no energy of one sphere
         if is_numeric(entry.claim.right) and not is_of_a_journey(entry):
             variants = of_this_part(variants, judge.base)
@@ -269,12 +269,9 @@ class Names:
                 plain = None  # what is wrong is a sign in what is put into that law
             left, right = entry.claim.left, entry.claim.right
             within = any(correction.part not in (left, right) for correction in mended)
-            if (
-                isinstance(left, Letter)
-                and is_phrase(left.name)
-                and is_relative(left.name)
-                and within
-            ):
+            within = within and len(judge.base.start) > 1  # of one sphere it is a scalar product
+            relative = isinstance(left, Letter) and is_phrase(left.name) and is_relative(left.name)
+            if relative and within:
                 plain = "restitution-sign"
             if is_sum_of_angles(entry) and is_deflection(entry):
                 plain = "deflection-difference"

@@ -33,11 +33,12 @@ from restitution.practice.judging.judged_link import (
 from restitution.practice.judging.other_forms import is_signed, same_left
 from restitution.practice.judging.own_values import Naming, OwnValues
 from restitution.practice.reading.relations import worked_out
-from restitution.practice.script import Claim, Link, ScriptLine
+from restitution.practice.script import Claim, Decimal, Link, ScriptLine
 from restitution.practice.worlds.student import student_world
 from restitution.practice.worlds.world import World
 
 _HUNDRED = 100
+_FIGURES = 3
 # The sense of a component in words, behind its size.
 _BACK = re.compile(
     r"\b(to the left|leftwards?|backwards?|downwards?|(in the )?(opposite|other|reverse) direction"
@@ -115,18 +116,25 @@ class NearlyTrue(OwnValues):
         return None
 
     def _nearly(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """A line that is true but for what the student's own rounding may have moved."""
+        """A line that is true but for what the student's own rounding may have moved.
+
+        A decimal of four figures or more may be cut off where it should be rounded.
+        """
         if any(map(_is_rounded_whole, link.readings)):
             return JudgedLink("true", link.readings[0], "rounded")
         above = any(entry.decimals for entry in self.entries)
         beside = any(other.decimals for other in line.links if other is not link)
-        if self.wrong or not link.decimals or not (above or beside):
+        cut = not (above or beside) and [x for x in link.decimals if x.figures > _FIGURES]
+        if self.wrong or not link.decimals or not (above or beside or cut):
             return None
         for claim in link.readings:
             if is_numeric(claim.left):
                 continue
+            own = replace(link, decimals=tuple(map(_cut_off, link.decimals))) if cut else link
             for world in self.worlds:
-                if self._loosely(claim, world, line, link) is not None:
+                if cut and self.accuracy(claim, world, line, own) is not None:
+                    return JudgedLink("true", claim, "rounded")
+                if not cut and self._loosely(claim, world, line, link) is not None:
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
         return None
 
@@ -191,6 +199,11 @@ class NearlyTrue(OwnValues):
                 if self.accuracy(claim, world, line, link) is not None:
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
         return None
+
+
+def _cut_off(decimal: Decimal) -> Decimal:
+    """A decimal whose last figure may be one too small."""
+    return replace(decimal, half_unit=2 * decimal.half_unit)
 
 
 def _is_rounded_whole(claim: Claim) -> bool:

@@ -114,10 +114,14 @@ class Support:
             return False
         if any(_gives_angle(other, entry) for other in right):
             return False
+        return not self.leads_to(entry, right)
+
+    def leads_to(self, entry: Entry, right: Sequence[Entry]) -> bool:
+        """Whether a claim follows from some true lines."""
         if deduced_from(entry, right, self.base, self.data):
-            return False
+            return True
         world = world_of_lines(self.base, right, self.unknown)
-        return world is None or not self._holds(entry, world)
+        return world is not None and self._holds(entry, world)
 
     def is_grounded(
         self, entry: Entry, entries: Sequence[Entry], broken: frozenset[tuple[str, int | None]]

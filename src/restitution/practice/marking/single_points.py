@@ -511,6 +511,8 @@ class SinglePoints(PrincipleLines):
             elif line.verdict == "false":
                 stands = last is not None and last.state == "earned"
                 stands = stands and not (last and self._is_begun(point, last))
+                above = self._line(last.line) if last is not None else None
+                stands = stands and not self.values.has_ratios(point, above)
                 if stands and not self.values.replaces(point, line):
                     continue  # what is wrong behind a right answer loses nothing
                 last = PointMark(point, "lost", line.line.number, self._reason(line))

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     COMPONENTS,
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -235,6 +236,14 @@ class Values(CarriedComponents):
         except RestitutionError:
             return True  # a vector is not rounded to be another one
         return not bool(np.all(np.abs(own - true) <= _CONVERTED * true))
+
+    def has_ratios(self, point: MarkPoint, line: JudgedLine | None) -> bool:
+        """Whether the value in a line is not worked out: ``v = 6 cos 55/cos 40``."""
+        value = None if line is None or point.link is None else self.value_of(point.link.left, line)
+        return value is not None and any(
+            is_function(node, "sin", "cos", "tan") and isinstance(node.argument, Degrees)
+            for node in walk(value)
+        )
 
     def compares(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a true line compares the values of what a printed inequality compares."""

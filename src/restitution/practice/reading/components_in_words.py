@@ -65,6 +65,23 @@ BY_SQUARES = re.compile(
     re.IGNORECASE,
 )
 
+# The way of a component behind it: ``A also has 5u sin θ = 3u at right angles``.
+WAY_BEHIND = re.compile(
+    r"^\s*(?:and\s+|so\s+)?(?:([A-Z])\s+)?(?:also\s+|still\s+)?(?:has|keeps|had)\s+"
+    r"([\d√(a-z][^:;,=]*=[^:;,=]*?)\s+"
+    r"(?:at\s+right\s+angles|perp(?:endicular)?|across)"
+    r"(?:\s+(?:to\s+)?(?:it|this|that|(?:the\s+)?(?:line(?:\s+of\s+cent(?:re|er)s)?|LOC|loc)))?[\s.]*$"
+)
+
+
+def way_behind(match: re.Match[str], problem: Problem) -> str:
+    """The component across the line of centres, where there is no wall."""
+    name = match[1]
+    if problem.walls or name not in {*(sphere.name for sphere in problem.spheres), None}:
+        return match[0]
+    of = f" of {name}" if name else ""
+    return f"component{of} across the line of centres = {match[2]}"
+
 
 def by_squares(match: re.Match[str], problem: Problem) -> str:
     """The speed after, where that before is given: nobody works it out."""

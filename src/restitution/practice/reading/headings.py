@@ -39,6 +39,11 @@ _ASIDE = re.compile(
     r"[^()\[\]=<>]*)\s*[)\]]\s*:?\s*(?=[^\s=<>+*/^])",
     re.IGNORECASE,
 )
+# The same with a colon: ``×20: 4 + 16e² = 5``.
+_DONE = re.compile(
+    r"\s*(?:(?:[*÷/]|(?:both\s+sides\s+)?(?:times|divided\s+by))\s*\(?[\w²^√./]{1,8}\)?|x\s?\d{1,3})"
+    r"\s*(?::|=+>|gives)\s*(?=[^\s=<>+*/^])"
+)
 _BEHIND = re.compile(
     r"(?:[\s.…_-]+|\s)(?:[(\[]\s*(?:eqn?\s*)?(?:\d|[ivx]+|\*+|[A-E])\s*[)\]]|[①-⑳])\s*$"
 )
@@ -71,7 +76,7 @@ def crossed(text: str) -> str | None:
 def without_number(text: str) -> int:
     """Where a line begins behind the number, the bullet, ``(1)+(2):`` or ``(÷m)`` before it."""
     offset = 0
-    match = _COMBINED.match(text) or _ASIDE.match(text)
+    match = _COMBINED.match(text) or _ASIDE.match(text) or _DONE.match(text)
     if match and re.search(r"[=<>]", text[match.end() :]):
         offset = match.end()
     else:

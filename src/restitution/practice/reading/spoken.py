@@ -389,6 +389,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (components_in_words.KE_ALONG, components_in_words.energy_along),
     (components_in_words.RESOLVED, lambda match, _: f"{match[1]}: "),
     (components_in_words.SPEED_TIMES, lambda match, _: f"{match[1]} * "),
+    (components_in_words.WAY_BEHIND, components_in_words.way_behind),
     (components_in_words.BY_SQUARES, components_in_words.by_squares),
     (components_in_words.STAYS, components_in_words.stays),
     (components_in_words.HAS_ALONG, components_in_words.has_along),
