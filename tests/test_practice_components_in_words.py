@@ -339,6 +339,18 @@ def test_a_line_goes_back_to_its_own_value(line: str, verdict: str) -> None:
     assert verdicts(marking(statement, line)) == [verdict]
 
 
+@pytest.mark.parametrize(
+    ("line", "principle"),
+    [
+        ("into AB 10sin(36.87) = 6.00, out of AB ¾ of it = 4.5", "restitution"),
+        ("before AB: along AB 10cos(36.87) = 8.00 - doesn't change", "unchanged"),
+    ],
+)
+def test_a_law_behind_a_component_is_that_of_the_line(line: str, principle: str) -> None:
+    statement = SQUARE.replace("P hits BC: e = 1/4\n", "")
+    assert marking(statement, line)["lines"][0]["principle"] == principle
+
+
 # By hand: A has 4u along the line and 3u across it; 12u = 3v + w, w - v = 2u.
 RATIO = """
 sphere A: mass 3m, velocity 5u at alpha

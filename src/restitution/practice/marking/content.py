@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from restitution.expression.writing import write_expression
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.marking.answers import AnswerMark
+from restitution.practice.marking.grounds import LAWS
 from restitution.practice.marking.marks import Marks, PointMark
 from restitution.practice.marking.messages import Message
 from restitution.records import dataclass
@@ -89,6 +90,9 @@ class MarkingContent:
 
 def _line(line: JudgedLine) -> JudgedLineObject:
     use = next(iter(line.uses), None)
+    if use is not None and use.principle in ("value", "component"):
+        # A value before the law in the relation behind it: u = 3.4, v = 3/4 × 3.4.
+        use = next((x for x in line.stated if x.principle in LAWS and not x.altered), use)
     mistake = line.mistake
     return {
         "n": line.line.number,

@@ -24,6 +24,11 @@ STAYS_BEHIND = re.compile(
     r"|no\s+change|same\s+(?:as\s+before|after|before\s+and\s+after)|not\s+(?:changed|affected))[\s.]*$",
     re.IGNORECASE,
 )
+# What stays is that after as well, whatever moment a heading names.
+BEFORE_A_STAY = re.compile(
+    r"^(\s*)(?:just\s+)?before\s+(?=[^:=]+:)(?=.*[,(]\s*(?:unchanged|does\s?n['o]?t\s+change|stays\s+the\s+same)\)?[\s.]*$)",
+    re.IGNORECASE,
+)
 _LAST_NUMBER = re.compile(rf"(?<![\w.])({_NUMBER})(?!.*\d)")
 _AS_ROUNDED = 0.02
 

@@ -418,6 +418,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (amounts.CHANGES_TO, amounts.changes_to),
     (back_references.SHARE_OF_IT, back_references.share_of_it),
     (back_references.STAYS_BEHIND, lambda _, __: ", unchanged"),
+    (back_references.BEFORE_A_STAY, lambda match, _: f"{match[1]}at "),
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
