@@ -63,6 +63,17 @@ def printed(document: Document) -> list[str]:
     ]
 
 
+@pytest.mark.parametrize("above", range(28, 34))
+def test_a_table_of_marks_is_begun_where_it_has_room_for_some_rows(above):
+    """However much stands above it, and with its heading."""
+    rows = tuple((f"M{n}", f"row {n}", "note") for n in range(1, 9))
+    table = Table(("Marks", "For", "Notes"), rows, "lll", ruled=True, remarks=(2,))
+    lines = tuple(Paragraph(f"line {n}") for n in range(above))
+    pages = printed(Document("", (*lines, Heading("Scheme"), table)))
+    (begun,) = (page for page in pages if "Scheme" in page)
+    assert "row 3" in begun
+
+
 def test_all_blocks_are_printed_in_order():
     first, second = printed(ALL)
     places = [

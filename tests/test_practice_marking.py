@@ -1333,3 +1333,16 @@ def test_a_question_that_asks_nothing_is_not_marked():
     asks_nothing = "wall W: along i\nsphere P: velocity 5i - 3j\nP hits W: e = 1/2"
     with pytest.raises(restitution.MissingError, match="find velocity"):
         restitution.mark(restitution.parse(asks_nothing), "v = 5i")
+
+
+@pytest.mark.parametrize(
+    ("wall", "told"), [("i", "away from W after = 2√3"), ("j", "towards W after = −2√3")]
+)
+def test_hints_speak_of_no_unit_vectors_where_the_question_has_none(wall: str, told: str) -> None:
+    statement = (
+        f"wall W: along {wall}\nsphere P: mass 2, velocity 8 at 60° to W\nP hits W: e = 1/2\n"
+        "find speed(P)\n"
+    )
+    for line, hint in (("nothing yet", "parallel to W after = 4"), ("v = 4", told)):
+        (message,) = restitution.mark(solution(statement), line, hints=4).messages
+        assert message.text == f"The next line is component of P {hint}."

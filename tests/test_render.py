@@ -54,7 +54,7 @@ from restitution.render.layout import (
     vector,
 )
 from restitution.render.mathml import to_mathml
-from restitution.render.text import to_text, width
+from restitution.render.text import to_text, width, with_whole_formulas, wrapped
 from restitution.render.typst import to_typst, words
 from restitution.solving import solve
 
@@ -612,3 +612,17 @@ def test_a_relation_in_words_stands_upright():
     assert to_latex(relation_) == r"\mathbf{v} \text{ is perpendicular to } \mathbf{i}"
     page = to_typst(relation_)
     assert typst.compile(page.encode(), ignore_system_fonts=True).startswith(b"%PDF")
+
+
+@pytest.mark.parametrize("columns", [24, 44, 60])
+def test_a_line_ends_within_no_formula_that_has_room_in_one(columns):
+    text = "It leads to v = 3 cos 30° − w. So 2a + 3b = 4c, and w - v = 1 here, with x = y/2 + 3z."
+    lines = wrapped(with_whole_formulas(text, columns), columns)
+    assert " ".join(lines) == text and max(map(len, lines)) <= columns
+    for formula in ("v = 3 cos 30° − w.", "2a + 3b = 4c,", "w - v = 1", "x = y/2 + 3z."):
+        assert any(formula in line for line in lines)
+
+
+def test_a_formula_longer_than_a_line_is_broken_before_a_relation():
+    lines = wrapped(with_whole_formulas("here a + b + c = d + e + f then", 12), 12)
+    assert lines == ["here", "a + b + c", "= d + e + f", "then"]

@@ -6,6 +6,7 @@ print is put in brackets here.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from functools import lru_cache
 
@@ -157,6 +158,27 @@ def wrapped(text: str, columns: int) -> list[str]:
             current, taken = word, more
     lines.append(current)
     return [line.replace(NO_BREAK, " ") for line in lines]
+
+
+_WITHIN_FORMULAS = re.compile(
+    r" (?=[=+−×÷·≤≥<>≠≈*/^])| (?=- )|(?<=[=+−×÷·≤≥<>≠≈*/^]) |(?<= -) |(?<=sin|cos|tan) "
+    r"| (?=(?:sin|cos|tan)\b)"
+)
+_AT_RELATIONS = re.compile(f"{NO_BREAK}(?=[=≤≥<>≠≈])")
+
+
+def with_whole_formulas(text: str, columns: int) -> str:
+    """A text in which no-break spaces hold formulas together, if they have room in a line.
+
+    One that is longer may be broken before a relation; one that is longer still, anywhere.
+    """
+    words: list[str] = []
+    for word in _WITHIN_FORMULAS.sub(NO_BREAK, text).split(" "):
+        pieces = [word] if width(word) <= columns else _AT_RELATIONS.sub(" ", word).split(" ")
+        words += (
+            piece if width(piece) <= columns else piece.replace(NO_BREAK, " ") for piece in pieces
+        )
+    return " ".join(words)
 
 
 def bold(name: str) -> str:

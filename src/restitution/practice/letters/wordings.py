@@ -14,11 +14,13 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Negate,
+    Polar,
     Quantity,
     Unit,
 )
 from restitution.expression.writing import write_expression
 from restitution.problem import Event, Impact, Problem, bodies_of
+from restitution.wording.telling import has_axes
 
 
 def words_of(tree: Expression, problem: Problem) -> str:
@@ -47,6 +49,43 @@ def words_of(tree: Expression, problem: Problem) -> str:
         case Apply(function, Quantity() as inner):
             return f"{function} of the {words_of(inner, problem)}"
     return write_expression(tree)
+
+
+def words_in_hints(tree: Expression, problem: Problem) -> str:
+    """The same for a reader of the question: where that has no **i** and **j**, a component at the
+    first wall is parallel to it, towards it or away from it.
+    """
+    match tree:
+        case Quantity("along", (Quantity("velocity", (Name(body),), stage), axis)):
+            side = _side_of_wall(body, stage, axis, problem)
+            if side is not None and not has_axes(problem):
+                return f"component of {body} {side}{_when(stage, problem)}"
+    return words_of(tree, problem)
+
+
+def _side_of_wall(body: str, stage: object, axis: Expression, problem: Problem) -> str | None:
+    """A direction at the first wall that a sphere strikes, if its velocity is told by that.
+
+    A sphere that is told so, without its place, comes from the left of the wall.
+    """
+    sphere = next((each for each in problem.spheres if each.name == body), None)
+    event = problem.events[0] if problem.events else None
+    if sphere is None or not isinstance(event, Impact) or stage not in (0, 1):
+        return None
+    wall = next((each for each in problem.walls if each.name == event.second), None)
+    told = sphere.velocity
+    if wall is None or not isinstance(told, Polar) or told.wall != Name(wall.name):
+        return None
+    if event.first != body or sphere.position is not None:
+        return None
+    line, direction = _TURNS.get(wall.along), _TURNS.get(axis)
+    if line is None or direction is None:
+        return None
+    return {
+        0: f"parallel to {wall.name}",
+        1: f"away from {wall.name}",
+        3: f"towards {wall.name}",
+    }.get((direction - line) % 4)
 
 
 def _names(arguments: tuple[Expression, ...]) -> str:
@@ -212,6 +251,14 @@ def _during(stage: object, problem: Problem) -> str:
         return ""
     return f" in {_event(stage, problem)}"
 
+
+_TURNS: Mapping[object, int] = {
+    Unit("i"): 0,
+    Unit("j"): 1,
+    Negate(Unit("i")): 2,
+    Negate(Unit("j")): 3,
+}
+"""Quarter turns from **i**."""
 
 _WORDS: Mapping[str, Callable[[Quantity, Problem], str]] = {
     "restitution": _restitution,

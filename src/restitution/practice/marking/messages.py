@@ -13,7 +13,7 @@ from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.expression.tree import Expression, Letter, Quantity, letter_nodes, walk
 from restitution.practice.judgement import JudgedLine, Use, false_roots
 from restitution.practice.judging.judged_link import REPEATED
-from restitution.practice.letters.wordings import words_of
+from restitution.practice.letters.wordings import words_in_hints, words_of
 from restitution.practice.marking import next_steps
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint
@@ -110,7 +110,7 @@ class _Words:
         names: dict[Expression, Expression] = {}
         for node in walk(side):
             if isinstance(node, Quantity) and not _is_inside(node, side):
-                words = Letter(words_of(node, self.problem))
+                words = Letter(words_in_hints(node, self.problem))
                 names[node] = self.values.letter_of(node) or words
         return exchanged(side, names)
 

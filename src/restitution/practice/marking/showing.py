@@ -10,6 +10,7 @@ from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.marking.answers import AnswerMark
 from restitution.practice.marking.content import MarkingContent
 from restitution.practice.marking.marks import Marks
+from restitution.render.text import NO_BREAK, with_whole_formulas
 
 SIGNS: Mapping[str, str] = {
     "true": "✓",
@@ -76,9 +77,9 @@ def _total(marks: Marks) -> str:
 
 
 def _wrapped(text: str, start: str, width: int) -> list[str]:
-    return wrap(text, width, initial_indent=start, subsequent_indent=" " * len(start)) or [
-        start.rstrip()
-    ]
+    whole = with_whole_formulas(text, width - len(start))
+    rows = wrap(whole, width, initial_indent=start, subsequent_indent=" " * len(start))
+    return [row.replace(NO_BREAK, " ") for row in rows] or [start.rstrip()]
 
 
 def to_html(marking: MarkingContent) -> str:

@@ -330,7 +330,7 @@ class Conversation:
 
     def _hint(self, label: str | None, typed: list[str], level: int) -> int:
         """The first hint above a level that says more than that at the level; its own level."""
-        from restitution.render.text import wrapped
+        from restitution.render.text import with_whole_formulas, wrapped
 
         before = self.hinted if level else ()
         for longer in range(level + 1, 5):
@@ -338,7 +338,8 @@ class Conversation:
             if hints is None:
                 return level
             if hints and hints != before:
-                lines = [line for text in hints for line in wrapped(text, self.width)]
+                whole = [with_whole_formulas(text, self.width) for text in hints]
+                lines = [line for text in whole for line in wrapped(text, self.width)]
                 self.write("\n".join(lines))
                 self.hinted = hints
                 return longer

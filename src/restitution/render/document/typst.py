@@ -243,6 +243,11 @@ def _operand(layout: Layout | None) -> str:
     return plain(layout.text) if isinstance(layout, Words) else to_typst(layout, block=True)
 
 
+# An empty block that stays with what stands above it, and is taken back: a table of marks with so
+# much room below it on the page is begun there, any other on the next one.
+_BEGUN = "#block(height: 9em, breakable: false, sticky: true, below: 0pt)\n#v(-9em)"
+
+
 def _table(table: Table) -> str:
     heads = ", ".join(f"[#strong[{inline(word)}]]" for word in table.heads)
     rows = "".join(
@@ -272,7 +277,11 @@ def _table(table: Table) -> str:
         f"table(columns: ({columns},), {height}stroke: {lines}, inset: (x: 6pt, y: 4pt), "
         f"align: ({sides},),\n  table.header({heads}),\n{rows})"
     )
-    return f"#block(breakable: false, {table_of})" if table.narrow else f"#{table_of}"
+    if table.narrow:
+        return f"#block(breakable: false, {table_of})"
+    if table.remarks and len(table.rows) > 2:
+        return f"{_BEGUN}\n#block(above: 0pt, {table_of})"
+    return f"#{table_of}"
 
 
 def _listing(listing: Listing) -> str:
