@@ -68,13 +68,13 @@ def _side_of_wall(body: str, stage: object, axis: Expression, problem: Problem) 
 
     A sphere that is told so, without its place, comes from the left of the wall.
     """
-    sphere = next((each for each in problem.spheres if each.name == body), None)
+    sphere = next((moving for moving in problem.spheres if moving.name == body), None)
     event = problem.events[0] if problem.events else None
     if sphere is None or not isinstance(event, Impact) or stage not in (0, 1):
         return None
-    wall = next((each for each in problem.walls if each.name == event.second), None)
-    told = sphere.velocity
-    if wall is None or not isinstance(told, Polar) or told.wall != Name(wall.name):
+    wall = next((struck for struck in problem.walls if struck.name == event.second), None)
+    velocity = sphere.velocity
+    if wall is None or not isinstance(velocity, Polar) or velocity.wall != Name(wall.name):
         return None
     if event.first != body or sphere.position is not None:
         return None
