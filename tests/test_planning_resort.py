@@ -373,3 +373,16 @@ def test_a_quadratic_stands_before_roots_that_are_not_real_for_each_angle() -> N
     rows = [row.strip() for row in to_text(explain(solve(parse(text)))).splitlines()]
     number = rows.index("Solving this equation:")
     assert rows[number - 1] == "e² sin α + e(cos α − sin α) + cos α = 0"
+
+
+def test_the_root_of_a_cubic_stands_in_figures() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B, C: mass m, at rest
+A hits B: along i
+B hits C: along i
+A hits B
+given velocity(A) = u i/3
+find e
+"""
+    assert to_text(explain(solve(parse(text)))).rstrip().endswith("\n    e ≈ 0.115")

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from fractions import Fraction
 from functools import partial
 
+import sympy as sp
+
+from restitution import exact
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Line, Link, Meaning, Ref, Relation
 from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
+    Number,
     Quantity,
     has_quantity,
     letters,
@@ -30,7 +36,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Item, Meets, Problem, Range, Show, Value, trees_of_relation
-from restitution.solving.equations.solution import ItemResult
+from restitution.solving.equations.solution import Answer, ItemResult
 
 
 def write_unfinished(
@@ -132,14 +138,19 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
                 return relation_of(staged(problem, expression, now), result)
             case Value(expression):
                 asked = staged(problem, expression, now)
-                trees = [
-                    tree_of(answer.value, angle=answer.angle, as_it_is=answer.angle)
-                    for answer in result.distinct
-                ]
-                return Relation(tuple((Link(asked, "=", tree),) for tree in trees))
+                return Relation(tuple((_stated(asked, own),) for own in result.distinct))
     except UNPLANNED:
         pass
     return None
+
+
+def _stated(asked: Expression, answer: Answer) -> Link:
+    """A value as a line says it; the root of a cubic, which has no exact form, in figures."""
+    value = answer.value
+    if isinstance(value, sp.Expr) and value.has(sp.CRootOf) and not answer.angle:
+        number = Number(Fraction(exact.significant(abs(value))))
+        return Link(asked, "≈", Negate(number) if value.is_negative else number)
+    return Link(asked, "=", tree_of(value, angle=answer.angle, as_it_is=answer.angle))
 
 
 def _trees(item: Item | Show) -> Iterator[Expression]:
