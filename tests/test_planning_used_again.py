@@ -527,3 +527,12 @@ def test_a_quadratic_that_is_shown_is_solved_in_the_part_that_asks_for_both_root
             "α = arctan((3 − √5)/4)",
         ),
     )
+
+
+def test_a_product_with_terms_of_both_signs_stands_in_factors() -> None:
+    told = worked(
+        "sphere A: mass m, velocity 2u i + u j\nsphere B: mass 2m, velocity -u i + 3u j\n"
+        "A hits B: along i\nshow deflection(B) < 90°\n"
+    )
+    assert "𝐮_B · 𝐯_B = −ue × u + 3u × 3u = (9 − e)u²" in told
+    assert "𝐮_B · 𝐯_B > 0, as e ≤ 1" in told

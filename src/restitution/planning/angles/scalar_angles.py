@@ -39,7 +39,7 @@ from restitution.planning.formulas.turns import Moving, impact_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import ZERO, outer_terms, product, swept, total, tree_of
-from restitution.planning.writing.polynomials import expanded, one_fraction
+from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
@@ -76,12 +76,20 @@ def write_right_angle_of_two(scene: Scene, asked: Quantity) -> int | None:
 
 
 def write_product_as_it_stands(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
-    """The line of the scalar product of two velocities by its terms: their signs are seen."""
-    subject, tree, _, refs = _terms(scene, pair)
-    if len(list(outer_terms(tree))) < len(pair) or scene.desk.known(subject) is not None:
+    """The line of the scalar product of two velocities by its terms: their signs are seen.
+
+    Where one is negative and the other is not, the sign is that of the product in factors.
+    """
+    subject, tree, value, refs = _terms(scene, pair)
+    terms = list(outer_terms(tree))
+    if len(terms) < len(pair) or scene.desk.known(subject) is not None:
         return None
     move = Move("define", "product", _event(pair), _bodies(pair))
     relation = chain(subject, (tree, None))
+    signs = {scene.scalar(term).could_extract_minus_sign() for term in terms}
+    in_factors = tidy(factored(value))
+    if len(signs) == 2 and in_factors.is_Mul:
+        relation = chain(subject, (tree, None), (tree_of(in_factors), "rearrange"))
     premises = scene.judge.needed(move, refs, relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
 
