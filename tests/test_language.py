@@ -803,3 +803,16 @@ def test_a_velocity_of_negative_size_is_one_in_the_opposite_direction(
 ) -> None:
     text = "wall W: along i\nsphere P: velocity {}\nP hits W\nfind speed(P)"
     assert parse(text.format(typed)) == parse(text.format(other))
+
+
+def test_a_fact_below_all_that_its_part_asks_is_doubted() -> None:
+    text = (
+        "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W\n"
+        "part a\nfind speed(P)\n{}part b\n{}find e"
+    )
+    fact = "given deflection(P) = 90°\n"
+    below, above = (parse(text.format(*own)).warnings for own in ((fact, ""), ("", fact)))
+    assert not above
+    (warning,) = below
+    assert "stands below the questions of part (a)" in warning
+    assert warning.endswith("for part (b), write it below 'part b'")

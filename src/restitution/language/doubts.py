@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import pairwise
 
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
@@ -55,6 +56,7 @@ def doubts(problem: Problem, text: str) -> Iterator[Note]:
     yield from _powers_of_ten(problem, text)
     yield from _idle_facts(problem)
     yield from _idle_questions(problem)
+    yield from _facts_below_questions(problem)
     yield from _axes(problem)
     yield from _letters_with_a_stage(problem, text)
 
@@ -280,6 +282,19 @@ def _idle_questions(problem: Problem) -> Iterator[Note]:
                 + (f": did you mean {meant}?" if meant else _of_one_impact(problem, letter)),
                 *fixes,
             )
+
+
+def _facts_below_questions(problem: Problem) -> Iterator[Note]:
+    """Facts at the end of a part, below all that it asks, which a later part may have wanted."""
+    for part, later in pairwise(problem.parts):
+        asked = [n for n, step in enumerate(part.steps) if isinstance(step, Find | Show)]
+        for step in part.steps[asked[-1] + 1 :] if part.label and asked else ():
+            if isinstance(step, Given):
+                yield _note(
+                    step.place,
+                    f"this stands below the questions of part ({part.label}) and holds in that "
+                    f"part only: for part ({later.label}), write it below 'part {later.label}'",
+                )
 
 
 def _of_one_impact(problem: Problem, letter: Letter) -> str:
