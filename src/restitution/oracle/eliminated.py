@@ -13,7 +13,7 @@ from typing import Literal
 
 import sympy as sp
 
-from restitution.oracle.formula import All, Formula, Relation, letters_of, put_in, relations
+from restitution.oracle.formula import Formula, Relation, conjuncts, letters_of, put_in, relations
 from restitution.oracle.points import BeyondError
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.scaled import scaled_sign
@@ -32,7 +32,7 @@ def hold_together(
     A letter is eliminated by an equation in which it is linear, where what it is multiplied with
     is certain not to be zero.
     """
-    left = list(_flat(facts))
+    left = list(conjuncts(facts))
     if sum(int(sp.count_ops(own.value)) for e in left for own in relations(e)) > _MOST_OPERATIONS:
         return "unknown"
     bounds: list[Formula] = []
@@ -64,7 +64,7 @@ def bearing_on(
     """
     if not letters:
         return tuple(facts)
-    left = {fact: letters_of(fact) for fact in _flat(facts)}
+    left = {fact: letters_of(fact) for fact in conjuncts(facts)}
     free = {fact: _given_freely(fact, roles) for fact in left}
     counts = Counter(name for names in left.values() for name in names)
     while idle := [f for f in left if any(counts[n] == 1 and n not in letters for n in free[f])]:
@@ -95,13 +95,6 @@ def _given_freely(fact: Formula, roles: Mapping[str, Role]) -> frozenset[str]:
     return frozenset(x.name for x in _free_in(fact) if not _is_bounded(x, roles))
 
 
-def _flat(facts: Sequence[Formula]) -> Sequence[Formula]:
-    """Facts without an *and* around them."""
-    return [
-        own for fact in facts for own in (_flat(fact.parts) if isinstance(fact, All) else [fact])
-    ]
-
-
 def _solved(
     facts: Sequence[Formula], roles: Mapping[str, Role]
 ) -> tuple[Formula, sp.Symbol, sp.Expr] | None:
@@ -112,11 +105,30 @@ def _solved(
         for symbol in sorted(
             fact.value.free_symbols, key=lambda s: (_is_bounded(s, roles), s.name)
         ):
-            slope = sp.diff(fact.value, symbol)
-            if slope.has(symbol) or not scaled_sign(sp.factor_terms(slope), roles):
+            slope = _slope(fact.value, symbol)
+            if slope is None or not scaled_sign(sp.factor_terms(slope), roles):
                 continue
             value = -fact.value.xreplace({symbol: sp.S.Zero}) / slope
             return fact, symbol, sp.factor_terms(value)
+    return None
+
+
+def _slope(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
+    """What a letter is multiplied with in an expression that is seen to be linear in it.
+
+    That is its derivative, which SymPy takes ten times as long to find. None for all others.
+    """
+    if x == symbol:
+        return sp.S.One
+    if not x.has(symbol):
+        return sp.S.Zero
+    if x.is_Add:
+        slopes = [_slope(term, symbol) for term in x.args]
+        return None if None in slopes else sp.Add(*slopes)
+    if x.is_Mul:
+        with_it = [factor for factor in x.args if factor.has(symbol)]
+        slope = _slope(with_it[0], symbol) if len(with_it) == 1 else None
+        return slope and sp.Mul(slope, *(factor for factor in x.args if factor != with_it[0]))
     return None
 
 
@@ -134,8 +146,8 @@ def _without_loose(facts: Sequence[Formula], roles: Mapping[str, Role]) -> Seque
         others = [value for other in facts if other is not fact for value in relations(other)]
         if not any(
             not _is_bounded(symbol, roles)
-            and scaled_sign(sp.factor_terms(sp.diff(own, symbol)), roles)
             and not any(other.value.has(symbol) for other in others)
+            and scaled_sign(sp.factor_terms(sp.diff(own, symbol)), roles)
             for symbol in own.free_symbols
         ):
             kept.append(fact)

@@ -69,6 +69,15 @@ def negation(formula: Formula) -> Formula:
             return All(tuple(negation(part) for part in parts))
 
 
+def conjuncts(formulas: Iterable[Formula]) -> list[Formula]:
+    """Formulas without an *and* around them."""
+    return [
+        own
+        for formula in formulas
+        for own in (conjuncts(formula.parts) if isinstance(formula, All) else [formula])
+    ]
+
+
 def joined(formulas: Iterable[Formula]) -> Formula:
     """All of the formulas, without an *and* inside an *and*."""
     parts: list[Formula] = []

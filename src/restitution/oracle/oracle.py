@@ -13,6 +13,7 @@ from typing import Literal
 import sympy as sp
 
 from restitution.oracle import decision, intervals
+from restitution.oracle.common_points import seem_to_hold_together
 from restitution.oracle.draws import Draw, draws
 from restitution.oracle.eliminated import bearing_on, hold_together
 from restitution.oracle.formula import (
@@ -264,8 +265,12 @@ class Oracle:
     def _by_decision(
         self, claim: Formula, names: frozenset[str], tester: Tester, tried: int
     ) -> Verdict | None:
-        if hold_together((*self.facts, negation(claim)), self.roles) == "no":
+        formulas = (*self.facts, negation(claim))
+        if (together := hold_together(formulas, self.roles)) == "no":
             return Verdict("proved", "algebra", None, tried)
+        if not self._plain and (together == "yes" or seem_to_hold_together(formulas, self.roles)):
+            # Who needs no counter-example loses at most a proof.
+            return Verdict("undecided", "undecided", None, tried)
         reply, world = self._asked((negation(claim),))
         if reply.satisfiable == "no":
             return Verdict("proved", "decision" if names else "algebra", None, tried)

@@ -31,9 +31,9 @@ class Tester:
 
     def __init__(self, formula: Formula) -> None:
         self.formula = formula
-        self._values = tuple(dict.fromkeys(relation.value for relation in relations(formula)))
-        self._program = Program.of(self._values)
-        self._tree = _placed(formula, {value: n for n, value in enumerate(self._values)})
+        self.values = tuple(dict.fromkeys(relation.value for relation in relations(formula)))
+        self._program = Program.of(self.values)
+        self._tree = _placed(formula, {value: n for n, value in enumerate(self.values)})
         self.letters = letters_of(formula)
 
     def holds(
@@ -47,13 +47,21 @@ class Tester:
         if exactly:
             signs = [
                 0 if sign is None and _vanishes_at(value, point) else sign
-                for value, sign in zip(self._values, signs, strict=True)
+                for value, sign in zip(self.values, signs, strict=True)
             ]
         return _holds(self._tree, signs)
 
     def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
         """The signs of the expressions in it, each once, at a point."""
         return self._program.signs(point, balls)
+
+    def balls(self, letters: Mapping[str, Ball]) -> list[Ball | None]:
+        """The expressions in it in floats, with bounds of the errors; None where they have none."""
+        return self._program.balls({}, letters)
+
+    def holds_with(self, signs: Sequence[int | None]) -> bool | None:
+        """Whether the formula holds where its expressions have these signs, in their order."""
+        return _holds(self._tree, signs)
 
 
 # A formula with places in a list of signs for its expressions.

@@ -541,7 +541,9 @@ class _Writer:
         if line.move.record in _OF_THE_WHOLE and not self._is_of_its_impact(line, event):
             return
         again = line.move.id in ("define", "put", "rearrange") and not _is_before(line)
-        if number in self.entered and (again or line.move.record == "impulse"):
+        # Below another impact's heading in a late part, values of the next one need their own.
+        late = line.move.id == "put" and 0 < (self.naming.heading_in_part or 0) < event.number
+        if number in self.entered and not late and (again or line.move.record == "impulse"):
             return
         if event.kind != "arrival":
             self.heading = self.naming.now = self.naming.heading_in_part = event.number
