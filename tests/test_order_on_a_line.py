@@ -72,3 +72,16 @@ def test_an_order_holds_after_other_impacts_too() -> None:
     solution = restitution.solve(restitution.parse(f"{WALLS}show k < 2\n"))
     working = " ".join(str(restitution.explain(solution)).split())
     assert "B moves towards W before the third impact" in working
+
+
+def test_nothing_is_taken_away_in_what_two_components_differ_by() -> None:
+    text = """wall W: along j
+sphere A: mass m, velocity -u i
+sphere B: mass 2m, at rest
+A hits B: along i
+A hits W: e = f
+show A and B do not collide again
+"""
+    working = " ".join(str(restitution.explain(restitution.solve(restitution.parse(text)))).split())
+    assert "= u(1 + e(1 − f) + f(1 − e))/3" in working
+    assert "as 0 ≤ e ≤ 1 and 0 ≤ f ≤ 1" in working

@@ -240,3 +240,13 @@ def test_a_letter_by_which_an_inequality_is_divided_is_not_zero() -> None:
         "A hits B: along i, e = 1\nA hits W: e = f\ngiven A and B collide again\nfind range of k"
     )
     assert "k > (2 + f)/f, as f > 0" in shown
+
+
+def test_letters_that_have_one_value_are_given_it_together() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u i\nsphere B: mass m, at rest\nwall W: along j\n"
+        "A hits B: along i\nB hits W: e = f\npart a\nfind velocity(B)\n"
+        "part b\ngiven e = f = 1/2\nfind velocity(B)"
+    )
+    assert "Since e = ½ and f = ½, from (3)" in shown
+    assert "It is given that" not in shown

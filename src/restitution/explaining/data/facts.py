@@ -529,6 +529,9 @@ class FactsOf(Arrangement):
         match relation:
             case Compare(operands, operators):
                 trees = [degrees_worked_out(self.settled(e, events)) for e in operands]
+                if set(operators) == {"="} and _are_of_one_value(trees):
+                    yield from ((Link(letter, "=", trees[-1]),) for letter in trees[:-1])
+                    return
                 for left, sign, right in zip(trees, operators, trees[1:], strict=False):
                     yield (Link(left, sign, right),)
             case Aligned(left, how, right):
@@ -659,3 +662,10 @@ def _is_range(relation: Relation) -> bool:
 
 def _is_unit(tree: Expression) -> bool:
     return isinstance(tree, Unit) or (isinstance(tree, Negate) and isinstance(tree.operand, Unit))
+
+
+def _are_of_one_value(trees: Sequence[Expression]) -> bool:
+    """Whether several letters have one value without letters: e = f = ½, for each of them."""
+    *equal, value = trees
+    plain = not letters(value) and not has_quantity(value)
+    return len(equal) > 1 and plain and all(isinstance(tree, Letter) for tree in equal)

@@ -30,6 +30,7 @@ from restitution.planning.formulas.scalar_products import by_scalar_product
 from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.sums_of_products import never_negative
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import ZERO, swept, tree_of
 from restitution.planning.writing.inequalities import completed_square
@@ -80,6 +81,9 @@ class Comparison:
             line = self._difference(difference, numbers)
             if line is not None:
                 number_ = self.claims.compared([line], relation)
+                if number_ is None and len(steps) > 1:
+                    with self.judge.ranges_as_one():  # of both letters in it
+                        number_ = self.claims.compared([line], relation)
                 if number_ is None:
                     more = self.claims.conditions.lines()
                     number_ = self.claims.compared([line, *more], relation)
@@ -256,10 +260,17 @@ class Comparison:
         return source.refs if line is None else (line,)
 
     def _with_its_square(self, value: sp.Expr) -> Iterator[Expression]:
-        """A product whose only sum is 1 − e + e², with (e − ½)² + ¾ for it; or nothing."""
+        """A product whose only sum is 1 − e + e², with (e − ½)² + ¾ for it; or nothing.
+
+        Of 3 + 10e − 9e² it has 3 + e + 9e(1 − e).
+        """
         sums = [factor for factor in sp.Mul.make_args(sp.fraction(value)[0]) if factor.is_Add]
-        completed = completed_square(self.scene, sums[0]) if len(sums) == 1 else None
+        if len(sums) != 1:
+            return
+        completed = completed_square(self.scene, sums[0])
         if completed is None or isinstance(completed, Negate):
+            completed = never_negative(self.scene, sums[0])
+        if completed is None:
             return
         stand_in = sp.Dummy("sum", positive=True)
         tree = tree_of(value.xreplace({sums[0]: stand_in}))
