@@ -530,9 +530,17 @@ class _Gathering:
             if law is None or (kind == self._component and not self._is_for_laws(line)):
                 return
             target = law
+        passed = order[target:at] if line.number in self._ended else ()
+        if any(self._answers_earlier(other, line) for other in passed):
+            return
         if target == at or not self._may_stand(line, target):
             return
         order.insert(target, order.pop(at))
+
+    def _answers_earlier(self, other: Line, line: Line) -> bool:
+        """Whether a line ends an item that is asked before that of another line."""
+        own, later = (self._items.get(e.item or "", 0) for e in (other, line))
+        return other.number in self._ended and own < later
 
     def _raise_to_its_roots(self, line: Line) -> None:
         """Puts the root that remains below the roots, where it is known already."""
