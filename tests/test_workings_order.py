@@ -417,3 +417,20 @@ part b
 find e
 """
     printed_with(text, ("𝐯_B = (2𝐢 − 𝐣) m s⁻¹", "impulse on A =", "magnitude of the impulse ="))
+
+
+def test_a_component_that_stays_stands_behind_what_is_asked_before_it() -> None:
+    # And that a sum is positive by which a product of both components is divided.
+    text = """
+sphere P: mass 2m, velocity u at theta
+sphere Q: mass k m, at rest
+P hits Q: along i
+part a
+find along(velocity(P), i), across(velocity(P), i), velocity(Q)
+part b
+given k > 2, angle(velocity(P), velocity(Q)) > 90°
+find range of e
+"""
+    words = printed(text)
+    assert words.index("(i) v =") < words.index("(ii) component of 𝐯_P along 𝐣 = u sin θ")
+    assert "2 − ek < 0, as 1 + e > 0" in words

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -185,6 +185,35 @@ def positive_factor_left(
         return None
 
 
+def sums_left(
+    derivation: Derivation, line: Line, roles: Mapping[str, Role]
+) -> Iterator[Expression]:
+    """The positive sums left out of a product compared with 0, of which another sum remains."""
+    above = derivation.line(line.premises[0]) if line.premises else None
+    if above is None or line.move.id not in ("rearrange", "cancel"):
+        return
+    match above.relation, line.relation:
+        case (
+            Relation(((Link(product, one, zero),),)),
+            Relation(((Link(Binary() as rest, other, right),),)),
+        ) if is_zero(zero) and is_zero(right) and {one, other} <= FLIPPED.keys():
+            sums = [e for e in factors_above(product) if is_binary(e, "+") or is_binary(e, "-")]
+        case _:
+            return
+    kept = in_letters_alone(rest)
+    values = {tree: value for tree in sums if (value := in_letters_alone(tree)) is not None}
+    if kept is None or not kept.free_symbols:
+        return
+    gone = [(e, value) for e, value in values.items() if sp.cancel(value / kept).free_symbols]
+    if len(gone) == len(values):
+        return
+    for tree, value in gone:
+        names = {str(symbol) for symbol in value.free_symbols}
+        own = Oracle({name: roles[name] for name in names}) if names <= roles.keys() else None
+        if own is not None and own.proves(compared(value, ">", sp.Integer(0))):
+            yield tree
+
+
 def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) -> Expression | None:
     """The other sum of a product compared with zero, where a line bounds a letter by one.
 
@@ -215,4 +244,4 @@ def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) ->
     return left[0] if len(sums) == 2 and len(left) == 1 else None
 
 
-__all__ = ["cosine_divided", "factor_cancelled", "factor_left", "positive_factor_left"]
+__all__ = ["cosine_divided", "factor_cancelled", "factor_left", "positive_factor_left", "sums_left"]

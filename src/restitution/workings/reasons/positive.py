@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 from restitution.planning.writing.forms import factors
 from restitution.render import layout as lay
 from restitution.workings.reasons.equality import divisor_left_out
-from restitution.workings.reasons.factors import factor_left, positive_factor_left
+from restitution.workings.reasons.factors import factor_left, positive_factor_left, sums_left
 from restitution.workings.reasons.known import Known
 from restitution.workings.reasons.multipliers import cleared_factors
 from restitution.workings.reasons.plain_signs import (
@@ -72,6 +72,8 @@ class PositiveReasons(Known):
         positive = positive_factor_left(self._derivation, line, self._roles)
         if positive is not None:
             yield self._layout(Relation(((Link(positive, ">", ZERO),),)))
+        for tree in sums_left(self._derivation, line, self._roles):
+            yield self._layout(Relation(((Link(tree, ">", ZERO),),)))
 
     def _divided_by(self, line: Line) -> Iterator[lay.Layout]:
         """That a ratio and 1 make something positive, below the value of which a sign is given."""
