@@ -265,6 +265,13 @@ def test_one_like_a_statement_is_practised(tmp_path):
     assert run(*arguments, "--state", "mine.json", cwd=tmp_path)[0] == 2
 
 
+def test_what_is_wrong_in_a_statement_is_told_at_its_place(tmp_path):
+    (tmp_path / "ball.impact").write_text("wall W: along i\nvx = u sin 60\n")
+    status, _, messages = run("practise", "--like", "ball.impact", cwd=tmp_path)
+    assert status == 2
+    assert messages.startswith("ball.impact:2:1: syntax: cannot read 'vx = u sin 60'")
+
+
 def test_a_variant_has_other_numbers_and_the_same_words():
     one, again, other = (variant(r.parse(TEACHER), seed) for seed in (1, 1, 2))
     assert one == again

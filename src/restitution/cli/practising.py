@@ -10,7 +10,7 @@ from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from restitution.cli.files import parse, read, say, shown_name, terminal_width
+from restitution.cli.files import parse, pointed, read, say, shown_name, terminal_width
 from restitution.cli.output import put, write_file
 from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
@@ -76,7 +76,13 @@ def _like(asked: Practising, file: str) -> int:
     """One like a statement, to be written down; without a file for it, to be practised."""
     from restitution.practice.questions.varying import variant
 
-    problem = parse(read(file))
+    text = read(file)
+    try:
+        problem = parse(text)
+    except StatementError as error:
+        for message in pointed(file, text, error):
+            say(message)
+        return UNREADABLE
     seed = _seed(asked)
     varied = variant(problem, seed)
     for note in varied.notes:
