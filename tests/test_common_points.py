@@ -28,6 +28,7 @@ IMPACT = (equation(V + K * W - U), equation(W - V - E * U))  # u along the line 
         (*IMPACT, equation(V)),
         (*IMPACT, equation(W - U), equation(E - 1)),  # k = 1
         (equation(sp.tan(ALPHA) ** 2 - E), Relation(sp.tan(ALPHA) - sp.Rational(9, 10), ">")),
+        (equation(V - W), equation(2 * V - 2 * W)),  # a consequence closes no gap of its own
         (equation(V**2 - 2 * U**2), Some((Relation(V - U, ">"), equation(V + U)))),
     ],
 )
@@ -46,8 +47,17 @@ def test_what_holds_somewhere_is_seen(formulas: tuple[Relation, ...]) -> None:
         (equation(sp.cos(ALPHA) - 2),),
         (equation(sp.sqrt(V) + W**2 + 1),),
         (equation(V), Relation(V, "!=")),
+        (equation(V - W), Relation(W - 2, ">"), Relation(1 - V, ">")),  # slopes that depend
+        (equation(V - E), Relation(V, ">"), Relation(-E, ">"), Relation(E - 1, ">=")),
         (equation(sp.cos(ALPHA)),),  # at the end of its range, which is open
     ],
 )
 def test_what_never_holds_is_not_seen(formulas: tuple[Relation, ...]) -> None:
     assert not seem_to_hold_together(formulas, ROLES)
+
+
+def test_slopes_that_depend_on_each_other_break_nothing_off() -> None:
+    """Their rows differ by rounding, by which nothing is divided."""
+    e, q = sp.symbols("e1 q")
+    formulas = (Relation(q, ">"), Relation(sp.Rational(1, 3) - q, ">"), equation(q - e))
+    assert not seem_to_hold_together((*formulas, Relation(e - sp.Rational(1, 3), ">=")), {})

@@ -23,6 +23,8 @@ _ZERO, _CERTAIN = 1e-9, 1e-6
 # A letter that comes so near to an end that it may not reach may not be there at all.
 _INSIDE = 1e-3
 _EPSILON = 2.0**-52
+# Products of slopes that are so small a share of the largest one are rounding.
+_ROUNDING = 1e-12
 
 # Where a value has to be above zero and is not, it is moved to this share of its terms.
 _ABOVE = 0.1
@@ -103,22 +105,30 @@ def _moved(
 
 
 def _least_step(slopes: Sequence[Sequence[float]], gaps: Sequence[float]) -> list[float] | None:
-    """The shortest step that closes the gaps; ``slopes`` has a row for each letter."""
+    """The shortest step that closes the gaps; ``slopes`` has a row for each letter.
+
+    A gap whose slopes depend on those of others has to be closed by these; None if it is not.
+    """
     count = len(gaps)
     rows = [
         [sum(own[a] * own[b] for own in slopes) for b in range(count)] + [gaps[a]]
         for a in range(count)
     ]
-    for n in range(count):
-        pivot = max(range(n, count), key=lambda row: abs(rows[row][n]))
-        if not abs(rows[pivot][n]) > _ZERO**2:
-            return None
-        rows[n], rows[pivot] = rows[pivot], rows[n]
+    least = max(_ZERO**2, _ROUNDING * max((rows[n][n] for n in range(count)), default=0.0))
+    left = set(range(count))
+    while left:
+        pivot = max(left, key=lambda n: rows[n][n])
+        if not rows[pivot][pivot] > least:
+            break
+        left.remove(pivot)
         for other in range(count):
-            if other != n:
-                share = rows[other][n] / rows[n][n]
-                rows[other] = [a - share * b for a, b in zip(rows[other], rows[n], strict=True)]
-    weights = [rows[n][-1] / rows[n][n] for n in range(count)]
+            if other != pivot:
+                share = rows[other][pivot] / rows[pivot][pivot]
+                rows[other] = [a - share * b for a, b in zip(rows[other], rows[pivot], strict=True)]
+                rows[other][pivot] = 0.0
+    if not all(abs(rows[n][-1]) <= _CERTAIN for n in left):
+        return None
+    weights = [0.0 if n in left else rows[n][-1] / rows[n][n] for n in range(count)]
     return [sum(a * b for a, b in zip(own, weights, strict=True)) for own in slopes]
 
 
