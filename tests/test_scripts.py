@@ -111,6 +111,7 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("twentyeighth", 126, 61),
         ("twentyninth", 133, 60),
         ("thirtyseventh", 127, 52),
+        ("thirtyseventh-sealed", 180, 68),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
