@@ -208,7 +208,7 @@ def test_a_square_that_would_be_negative() -> None:
                 "wall W: along j, through (4, 0)\nsphere P: at (0, 1), velocity -3i + 2j\n"
                 "P hits W: e = 1/2\nfind velocity(P)"
             ),
-            "component of 𝐮_P along 𝐢 = −3 m s⁻¹ B1 So P moves away from W",
+            "= −3 m s⁻¹ B1 P is on the side of W to which −𝐢 points. So P moves away from W",
         ),
     ],
 )

@@ -36,7 +36,10 @@ sphere B: mass 1, velocity {v}i
 A hits B: along i{e}
 """
 
-WITHOUT_E = "What else is asked does not depend on e, and can still be worked out from the data."
+WITHOUT_E = (
+    "Without e, the velocity of A immediately after the collision can still be worked out from the "
+    "data."
+)
 
 
 @cache
@@ -130,9 +133,20 @@ def test_what_cannot_be_found_beside_what_is_worked_out_says_why() -> None:
     solution, _ = planned(text)
     assert "√3 u" in printed(solution)
     assert printed(solution).endswith(
-        "(iii) The kinetic energy lost in the collision cannot be found, as no value of e is "
-        "possible."
+        "(iii) There is no value of the kinetic energy lost in the collision: with e > 1 kinetic "
+        "energy would be gained, which is impossible too."
     )
+
+
+def test_what_is_and_what_is_not_worked_out_beside_an_impossible_coefficient() -> None:
+    """*What else is asked does not depend on e* stood above what could not be found without it."""
+    text = (
+        "sphere A: mass 2, velocity 6i + 3j\nsphere B: mass 1, at rest\nA hits B: along i\n"
+        "given velocity(A) = i + 3j\nfind e, energy_lost/energy(0), velocity(B), impulse"
+    )
+    shown = printed(planned(text)[0])
+    assert "Without e, the other answers can still be worked out from the data." in shown
+    assert "There is no value of the fraction of the total kinetic energy that is lost" in shown
 
 
 def test_what_rests_on_an_impossible_coefficient_names_it() -> None:

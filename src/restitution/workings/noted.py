@@ -19,7 +19,7 @@ from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.quantities import ANGLES
+from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -236,11 +236,14 @@ class Notes:
 
     def _in_words(self, note: Note) -> Sentence | lay.Layout | str:
         """An item in words, and not as it was typed."""
-        match self._ends.item(note.item):
+        return self._item_in_words(note.item)
+
+    def _item_in_words(self, name: str) -> Sentence | lay.Layout | str:
+        match self._ends.item(name):
             case Extremum(kind, expression):
                 extreme = self._naming.extreme(expression, greatest=kind == "maximum")
                 return say("derived.the", quantity=extreme)
-        return self._ends.named(note.item)
+        return self._ends.named(name)
 
     def _impossible(self, note: Note, items: Sentence) -> Sentence:
         """The value of a coefficient, and the bound that it breaks; what any other letter is."""
@@ -248,7 +251,8 @@ class Notes:
             ahead = self._ahead(note.claim)
             if ahead is not None:
                 return say("note.unreached-ahead", reason=note.reason, **ahead)
-            return self._unreached(note)
+            side, unreached = self._side(note.claim), self._unreached(note)
+            return unreached if side is None else say("note.on-its-side", **side, then=unreached)
         value, *bounds = note.premises
         relation = self._relation(value)
         if self._is_out_of_range(note):
@@ -293,7 +297,10 @@ class Notes:
                 return say("note.none-shown-either", items=items)
             if any(self._goes_on(own) for own in self._all if own.premises == note.premises):
                 # Something else could be worked out, though there is no such impact either.
-                return say("note.none-value", items=items, letter=self._naming.layout(left))
+                trees = walk(item.expression) if isinstance(item, Value) else ()
+                gained = over and any(is_quantity(node, *LOSSES) for node in trees)
+                reason: SentenceId = "note.none-lost" if gained else "note.none-without"
+                return say(reason, items=items, letter=self._naming.layout(left))
             return say("note.none-either", items=items)
         if isinstance(value, int):
             name = "note.none-above-one" if over else "note.none-below-zero"
@@ -309,10 +316,20 @@ class Notes:
             return
         value, bound, *_ = note.premises
         left, _ = _bounded(self._relation(value), self._bounds_of(bound))
+        item = self._answered_below(note)
         if self._rests(note):
-            yield say("note.rests-on")
+            yield say("note.rests-on", item=item)
         else:
-            yield say("note.goes-on", letter=self._naming.layout(left))
+            yield say("note.goes-on", letter=self._naming.layout(left), item=item)
+
+    def _answered_below(self, note: Note) -> Sentence | lay.Layout | str:
+        """The one item of the part that is worked out below a note, in words; or all of them."""
+        last = max(note.lines, default=0)
+        ends = (end for end in self._derivation.items if end.line > last and end.part == note.part)
+        match list(dict.fromkeys(end.item for end in ends)):
+            case [item]:
+                return self._item_in_words(item)
+        return say("note.other-answers")
 
     def _ahead(self, claim: Relation) -> Mapping[str, str | lay.Layout] | None:
         """Which of two spheres that do not approach is ahead, as the other moves towards it.
@@ -338,6 +355,26 @@ class Notes:
         one, other = names
         direction = self._naming.layout(axis if sign == ">" else Negate(axis))
         return {"one": one, "other": other, "way": direction}
+
+    def _side(self, claim: Relation) -> Mapping[str, str | lay.Layout] | None:
+        """On which side of a wall a body is that would have to come to it.
+
+        None where it left the wall earlier, between two spheres, and where no side is named.
+        """
+        match claim.only:
+            case (
+                Link(Quantity(_, (Quantity("velocity", (Name(body),), int(stage)), axis)), sign),
+            ):
+                impact = self._naming.events.get(stage + 1)
+            case _:
+                return None
+        before = [event for n, event in self._naming.events.items() if n <= stage]
+        if impact is None or not impact.wall or sign not in (">", "<"):
+            return None
+        if any(event.bodies == impact.bodies for event in before):
+            return None
+        away = Negate(axis) if sign == ">" else axis
+        return {"body": body, "wall": impact.bodies[1], "way": self._naming.layout(away)}
 
     def _unreached(self, note: Note) -> Sentence:
         """Why two bodies do not meet: by the line just above, or by one further up, said again."""

@@ -58,6 +58,7 @@ SENTENCES: Mapping[str, str] = {
     ),
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
     "note.unreached": "So {reason}: what is described cannot happen.",
+    "note.on-its-side": "{body} is on the side of {wall} to which {way} points. {then}",
     "note.unreached-as": "As {value}, {reason}: what is described cannot happen.",
     "note.unreached-ahead": (
         "{one} moves in the direction of {way} and hits {other}, so {other} is ahead of it. So "
@@ -90,6 +91,13 @@ SENTENCES: Mapping[str, str] = {
     "note.none-of-it": "No value of {letter} is possible, as shown above.",
     "note.none-shown-either": ("That {items} cannot be shown either, as there is no such impact."),
     "note.none-value": "{items:capital} cannot be found, as no value of {letter} is possible.",
+    "note.none-without": (
+        "{items:capital} cannot be found without {letter}, of which no value is possible."
+    ),
+    "note.none-lost": (
+        "There is no value of {items}: with {letter} > 1 kinetic energy would be gained, which is "
+        "impossible too."
+    ),
     "note.none-either": "{items:capital} cannot be found either, as there is no such impact.",
     "note.none-data-above-one": (
         "{items:capital} cannot be found, as a coefficient of restitution is at most 1, and not "
@@ -103,12 +111,10 @@ SENTENCES: Mapping[str, str] = {
         "{value} is impossible, as a coefficient of restitution is at most 1. So no value of "
         "{letter} is possible: what is given cannot occur."
     ),
-    "note.goes-on": (
-        "What else is asked does not depend on {letter}, and can still be worked out from the data."
-    ),
+    "note.other-answers": "the other answers",
+    "note.goes-on": ("Without {letter}, {item} can still be worked out from the data."),
     "note.rests-on": (
-        "What else is asked is worked out from the data all the same, though there is no such "
-        "impact."
+        "From the data {item} can be worked out all the same, though there is no such impact."
     ),
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
