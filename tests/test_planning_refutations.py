@@ -125,6 +125,14 @@ CLAIMS = {
         WALL + "show speed(S) < 1/2 v",
         "which is more than ½v.",
     ),
+    "a letter whose value is known": (
+        (
+            "sphere A: mass m, velocity 2u i\nsphere B: mass m, at rest\nA hits B: along i\n"
+            "part a\ngiven velocity(A) = u/2 i\nfind e\npart b\ngiven velocity(A) = u/2 i\n"
+            "show energy(B) - energy(A) = 3 e^2 energy(0)"
+        ),
+        "but 3e² × total kinetic energy before the impact = 3mu²/2.",
+    ),
     "two values": (
         WALL + "show speed(S)/v = sin(theta)",
         ", but sin θ = ",

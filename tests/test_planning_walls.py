@@ -313,6 +313,16 @@ find maximum of tan(alpha - beta) over alpha
         ),
         ("not written out",),
     ),
+    "a path that is turned from the wall by more than 90° makes the acute angle with it": (
+        """
+wall W: along j
+sphere P: mass m, velocity -u at alpha to W
+P hits W
+find deflection(P)
+""",
+        ("the component stays −u cos α.", "= α + β = α + arctan(e tan α)"),
+        ("not written out",),
+    ),
 }
 
 

@@ -557,9 +557,11 @@ def _write_item(
         case Show():
             from restitution.planning.shows.forward import write_show
 
-            write_in_its_letters(
-                scene, solver, item, partial(write_show, scene, solver, item, result, now, name)
-            )
+            write = partial(write_show, scene, solver, item, result, now, name)
+            if result.holds is True:
+                write_in_its_letters(scene, solver, item, write)
+            else:  # with no letter that may take its value what fails would not be seen
+                write()
         case Range():
             asked = with_angles_given(scene, staged(problem, item.expression, now))
             if item.percentage:

@@ -266,8 +266,9 @@ class Premises:
         """
         match link:
             case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, _, Name() as wall)):
-                if self._is_up_to(world, angle, sp.pi / 2):
-                    yield Quantity("angle", (velocity, wall)), angle
+                own = self._within_a_right_angle(world, angle)
+                if own is not None:
+                    yield Quantity("angle", (velocity, wall)), own
                 return
             case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, origin, _)):
                 given = Unit("i") if origin is None else origin
@@ -322,6 +323,10 @@ class Premises:
             if not all(isinstance(unit, Unit) for unit in units):
                 return None
             angle = Binary("-", RIGHT_ANGLE, angle)
+        return self._within_a_right_angle(world, angle)
+
+    def _within_a_right_angle(self, world: World, angle: Expression) -> Expression | None:
+        """The angle of up to 90° between a line and what is turned from it by an angle."""
         forms: list[Expression] = [angle, Negate(angle)]
         for turns in range(1, 2 if letters(angle) else 4):
             whole = Degrees(turns * STRAIGHT_ANGLE.value)

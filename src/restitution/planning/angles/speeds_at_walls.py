@@ -26,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.impacts import before, component_letter
 from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.writing.angles import angle_to_its_wall
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import neat, negative, product, tree_of
 from restitution.planning.writing.frames import Frame
@@ -236,8 +237,8 @@ def _left_by_the_deflection(
     if fact is None or scene.last_event(body, frame.number - 1) or frame.wall is None:
         return None
     match fact.relation.only[0].right:
-        case Polar(_, angle, wall=Name(name)) if name == frame.wall:
-            pass
+        case Polar(_, turned_by, wall=Name(name)) if name == frame.wall:
+            angle = angle_to_its_wall(scene, turned_by)
         case _:
             return None
     later = Quantity("angle", (Quantity("velocity", (Name(body),), frame.number), Name(frame.wall)))

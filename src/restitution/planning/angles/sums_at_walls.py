@@ -21,7 +21,7 @@ from restitution.planning.angles.turn_lines import inverse_of_data
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.next_walls import angle_to_a_wall
-from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.angles import angle_to_a_line, angle_to_its_wall
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import TWO, product, total, tree_of
 from restitution.planning.writing.frames import Frame
@@ -194,7 +194,7 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     refs = [ref for ref in (f"velocity {body.name}", f"path {body.name}") if ref in scene.facts]
     match fact.relation.only[0].right if fact is not None else None:
         case Polar(_, angle, wall=Name(name)) if name == wall:
-            given = angle
+            given = angle_to_its_wall(scene, angle)
         case _ if line is not None:
             given = angle_to_a_line(scene, body.name, line.relation.only[0].right)
             refs.append(line.id)

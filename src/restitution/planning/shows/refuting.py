@@ -125,7 +125,8 @@ class _Refutation:
             ):
                 if not claims.worths.is_data(quantity) or self._has_an_angle(quantity):
                     lines.append(self._worth(claims, quantity))
-        self.note(tuple(dict.fromkeys(lines or self._letters_worked_out(trees))), trees)
+            lines += self._letters_worked_out(trees)
+        self.note(tuple(dict.fromkeys(lines)), trees)
 
     def _worth(self, claims: Claims, quantity: Quantity) -> int:
         """The line that says what a quantity is; of a right angle, which has no tangent, itself."""

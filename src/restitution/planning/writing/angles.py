@@ -65,6 +65,19 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             angle, turned = Binary("-", RIGHT, angle), sp.pi / 2 - turned
         elif not isinstance(line, Unit | Negate) and origin != line:
             return None
+    return _within_a_right_angle(scene, angle, turned)
+
+
+def angle_to_its_wall(scene: Scene, angle: Expression) -> Expression:
+    """The angle of up to 90° to a wall at which a velocity is given from it, as α of 180° + α.
+
+    One of which letters leave it open stands as it is given.
+    """
+    return _within_a_right_angle(scene, angle, scene.scalar(angle)) or angle
+
+
+def _within_a_right_angle(scene: Scene, angle: Expression, turned: sp.Expr) -> Expression | None:
+    """The angle of up to 90° between a line and what is turned from it; None of an open one."""
     turns = _HALF_TURNS[:3] if turned.free_symbols else _HALF_TURNS
     forms = (
         (angle, turned),
@@ -92,7 +105,7 @@ def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Expression | Non
     angle: Expression | None = None
     match fact.relation.only[0].right:
         case Polar(_, size, wall=Name(name)) if name == frame.wall:
-            angle = size
+            angle = angle_to_its_wall(scene, size)
         case right if wall is not None:
             line = wall.relation.only[0].right
             # One along an axis is read off: u at θ to a wall that makes θ with it.
