@@ -34,6 +34,7 @@ from restitution.render.layout.sides import as_layout, equation
 _ROUNDED = 3
 # A decimal of so many figures is not rounded.
 _EXACT = 4
+_TEN = 10
 # No decimal of four figures has more places.
 _PLACES = 12
 
@@ -59,7 +60,14 @@ def display_named(name: Any, value: Any, *, angle: bool = False) -> Relation:
 
 
 def display_vector(x: Any, y: Any, *, decimals: bool = False) -> Layout:
-    """A vector answer: exact and, where a component needs it, to 3 significant figures."""
+    """A vector answer: exact and, where a component needs it, to 3 significant figures.
+
+    A vector of short fractions (``(5/3)i − j``) is exact alone, unless it is one of decimals, or
+    those of the data are (``decimals``).
+    """
+    pair = [sympy.sympify(value, strict=True) for value in (x, y)]
+    if not decimals and all(map(_is_short, pair)) and not all(map(_is_decimal, pair)):
+        return vector(*pair)
     return _display_pair(x, y, vector, decimals)
 
 
@@ -128,6 +136,16 @@ def _figures(value: Rational) -> int:
     """How many significant figures a decimal has that ends; more than any if it does not."""
     scaled = abs(value) * 10**_PLACES
     return len(str(int(scaled)).strip("0")) if scaled.q == 1 else _PLACES
+
+
+def _is_short(value: Expr) -> bool:
+    """Whether a component is a whole number, or a fraction below which stands one digit."""
+    return isinstance(value, Rational) and value.q < _TEN
+
+
+def _is_decimal(value: Rational) -> bool:
+    """Whether a number is a decimal of three figures, or of fewer."""
+    return _figures(value) <= _ROUNDED
 
 
 def _exact_figures(value: Expr) -> int:

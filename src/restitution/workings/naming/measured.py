@@ -427,8 +427,6 @@ def as_answer(
         x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
         shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
         exact = all(_is_decimal(component, _FIGURES) for component in (x, y))
-        if not (exact or place or decimals) and _is_short(x) and _is_short(y):
-            return ()
     elif isinstance(value, sp.Expr):
         decimals = decimals or _is_long_multiple(value)
         shown = lay.display(value, angle=is_measure_of_angle(tree), decimals=decimals)
@@ -447,14 +445,6 @@ def as_answer(
         sides = (shown, shown)  # the exact form is too long for an answer
     added = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
     return ((sides[0], "="), *added) if place else added
-
-
-def _is_short(value: sp.Expr) -> bool:
-    """Whether a component is a whole number, or a fraction below which stands one digit."""
-    return isinstance(value, sp.Rational) and value.q < _TEN
-
-
-_TEN = 10
 
 
 def _is_long_multiple(value: sp.Expr) -> bool:
