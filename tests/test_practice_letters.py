@@ -650,6 +650,12 @@ def test_the_angle_at_a_wall_is_to_that_wall() -> None:
     for typed, verdict in (("47.2", "true"), ("22.8", "false")):
         (judged,) = r.mark(solution, f"at BC the angle is {typed}°", part="b").lines
         assert judged.verdict == verdict
+    problem = r.parse(
+        "wall W: along i\nwall X: along 60°\nsphere P: velocity 4 at 45° to W\n"
+        "P hits W: e = 1/3\nP hits X: e = 1/2\nfind speed(P)"
+    )
+    (judged,) = r.mark(problem, "at X the angle is 18.4°").lines
+    assert judged.verdict == "false"
 
 
 def test_a_letter_that_is_declared_along_i_has_that_sense() -> None:

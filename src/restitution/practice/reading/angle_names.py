@@ -106,9 +106,16 @@ class AngleNames(EnergyNames):
             yield Binary("-", STRAIGHT_ANGLE, angle)
 
     def is_beside_a_slant(self, event: int) -> bool:
-        """Whether a wall that is hit slants, and the angle is not said to be to a wall."""
-        to_wall = self.features.wall or not set(self.features.names).isdisjoint(self.walls)
-        return not to_wall and self.is_slanting(self.wall(event))
+        """Whether a wall that is hit slants, and the angle is not said to be to a wall.
+
+        Below a heading that speaks of this wall (``at BC:``) it is not to another one, along an
+        axis.
+        """
+        wall, features = self.wall(event), self.features
+        if features.wall or not set(features.names).isdisjoint(self.walls):
+            return False
+        axes = () if features.event is None else map(Name, self.walls)
+        return self.is_slanting(wall) and all(map(self.is_slanting, axes))
 
     def inclinations(self, event: int) -> Iterator[Expression]:
         """The angles of velocities to the line of centres, measured either way."""
