@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.explaining.data.facts import links_of, staged
-from restitution.explaining.lines.derivation import Line, Link, Meaning, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Expression,
     Letter,
@@ -24,16 +24,24 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.closing.excluded_roots import written_law
-from restitution.planning.formulas.impacts import momentum, rebound, restitution, unchanged
+from restitution.planning.formulas.impacts import (
+    momentum,
+    rebound,
+    residual,
+    restitution,
+    unchanged,
+)
 from restitution.planning.inequalities.ranges import relation_of
+from restitution.planning.routes.course import EquationLeftOpenError, is_root_in_figures
 from restitution.planning.routes.determining import determine, goals
 from restitution.planning.routes.givens import write_given
 from restitution.planning.routes.order import Solver
 from restitution.planning.routes.refusals import note_of
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError, Source
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import numerator, polynomial_in
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Item, Meets, Problem, Range, Show, Value, trees_of_relation
 from restitution.solving.equations.solution import Answer, ItemResult
@@ -46,7 +54,8 @@ def write_unfinished(
     trees = [staged(scene.problem, tree, now) for tree in _trees(item)]
     premises: list[int] = []
     # Of several solutions only the equations are the same.
-    for attempts in (_equations,) if scene.others else (_values, _components, _equations):
+    ways = (_open_equations, _values, _components, _equations)
+    for attempts in (_equations,) if scene.others else ways:
         for attempt in attempts(scene, solver, trees):
             premises += _tried(scene, solver, attempt)
         if premises:
@@ -147,7 +156,7 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
 def _stated(asked: Expression, answer: Answer) -> Link:
     """A value as a line says it; the root of a cubic, which has no exact form, in figures."""
     value = answer.value
-    if isinstance(value, sp.Expr) and value.has(sp.CRootOf) and not answer.angle:
+    if isinstance(value, sp.Expr) and is_root_in_figures(value) and not answer.angle:
         number = Number(Fraction(exact.significant(abs(value))))
         return Link(asked, "≈", Negate(number) if value.is_negative else number)
     return Link(asked, "=", tree_of(value, angle=answer.angle, as_it_is=answer.angle))
@@ -161,6 +170,31 @@ def _trees(item: Item | Show) -> Iterator[Expression]:
     yield from trees_of_relation(item.relation)
     if item.subject is not None:
         yield item.subject.expression
+
+
+def _open_equations(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Attempt]:
+    """The equations of which letters are roots that have no exact form."""
+    for name in sorted({name for tree in trees for name in letters(tree)}):
+        symbol = scene.model.unknowns.letter(name)
+        if is_root_in_figures(scene.model.final.get(symbol)):
+            yield partial(_open_equation, scene, solver, symbol)
+
+
+def _open_equation(scene: Scene, solver: Solver, symbol: sp.Symbol) -> Iterator[int]:
+    """The equation as it comes of the laws, and as a polynomial that is zero."""
+    solver.leaves_open = True
+    try:
+        solver.determine([symbol])
+    except EquationLeftOpenError:
+        number = len(scene.desk.lines)
+        above = numerator(residual(scene, number))
+        if symbol not in above.free_symbols or not above.is_polynomial(symbol):
+            raise NotPlannedError(f"no polynomial in {symbol}") from None
+        own = polynomial_in(above, symbol).primitive()[1].as_expr()
+        relation = Relation(((Link(tree_of(own), "=", ZERO),),))
+        yield scene.judge.write((Move("rearrange"),), (number,), relation) or number
+    finally:
+        solver.leaves_open = False
 
 
 def _values(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Attempt]:

@@ -66,6 +66,15 @@ class Standing:
     others: tuple[Model, ...]
 
 
+def is_root_in_figures(value: sp.Expr | None) -> bool:
+    """Whether a value is made of the root of a cubic, or of more, that has no exact form."""
+    return value is not None and bool(value.has(sp.CRootOf))
+
+
+class EquationLeftOpenError(Exception):
+    """An equation of one unknown stands as the last line, and its root has no exact form."""
+
+
 class Course:
     """How far the writing of a goal is: what is known, what is open, and what waits."""
 
@@ -79,6 +88,8 @@ class Course:
         self.reasons: list[NotPlannedError] = []
         # Whether equations that no shape fits are solved together.
         self.resort = False
+        # Whether an equation is left as it stands where its root is that of a cubic or more.
+        self.leaves_open = False
         self._open_at: tuple[object, ...] | None = None
         self._open_then: dict[tuple[sp.Expr, ...], frozenset[sp.Symbol]] = {}
         self._loosen_ties()
@@ -220,6 +231,8 @@ class Course:
         except NotPlannedError as error:
             if self._closes_by_a_bound(number, symbol):
                 return True
+            if self.leaves_open and is_root_in_figures(self.scene.model.final.get(symbol)):
+                raise EquationLeftOpenError(str(symbol)) from error
             self.reasons.append(error)
             return False
         return True
