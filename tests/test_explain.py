@@ -94,6 +94,15 @@ def test_several_solutions_from_one_equation() -> None:
     assert text.index("If tan α = ¼:") < text.index("α = arctan(1/4)")
 
 
+def test_what_one_case_makes_use_of_stands_in_it() -> None:
+    """The speed in letters stood below the first case, and served the second one only."""
+    statement = TWO_ROOTS.replace("1/2", "1/3").replace("3/5", "1/2")
+    text = to_text(told(statement.replace("find alpha", "find tan(alpha), speed(A)")))
+    case = text.partition("If tan α = ⅓:")[2]
+    assert "√((⅓u cos α)² + (u sin α)²)\nSubstituting for sin²α and cos²α:\n" in case
+    assert text.count("√((⅓u cos α)²") == 1
+
+
 def test_a_rejected_root_is_told_with_its_reason() -> None:
     text = to_text(
         told(

@@ -434,3 +434,19 @@ find range of e
     words = printed(text)
     assert words.index("(i) v =") < words.index("(ii) component of 𝐯_P along 𝐣 = u sin θ")
     assert "2 − ek < 0, as 1 + e > 0" in words
+
+
+def test_the_letter_of_a_component_takes_its_value_where_that_is_put_in() -> None:
+    """v = u/6 stood above tan β, which is found without it."""
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/3
+part a
+show tan(angle(velocity(A), i)) = 3(1 + k)/(3 - k) tan(alpha)
+part b
+given k = 1, alpha = 60°
+find angle(velocity(A), i), energy(A)
+"""
+    words = printed(text)
+    assert words.index("β = arctan(3√3)") < words.index("v = u/6") < words.index("energy of A =")

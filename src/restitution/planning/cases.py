@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from restitution.explaining.lines.derivation import Case, Derivation, ItemEnd, Line, Ref
+from restitution.explaining.lines.derivation import (
+    Case,
+    Derivation,
+    ItemEnd,
+    Line,
+    Ref,
+    numbers_in,
+)
 from restitution.planning.writing.desk import Desk, NotPlannedError
 
 
@@ -95,9 +102,11 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
     desk.lines, desk.ends, desk.splits = first.lines[:start], list(before.ends), ()
     desk.cases = list(before.cases)
     ends: list[ItemEnd] = []
-    for option, group in zip(options, groups, strict=True):
-        branch = _joined(before, group, depth + 1)
-        for end in _added_case(before, desk, branch, split, option):
+    branches = [_joined(before, group, depth + 1) for group in groups]
+    for n, (option, branch) in enumerate(zip(options, branches, strict=True)):
+        # What only one case makes use of stands there, and not below what another one ends with.
+        alone = _of_one_case(branch, branches[:n] + branches[n + 1 :], split, start) if n else ()
+        for end in _added_case(before, desk, branch, split, option, alone):
             if end not in ends:
                 ends.append(end)
     items = list(dict.fromkeys(end.item for end in ends))
@@ -140,13 +149,36 @@ def without_idle(derivation: Derivation) -> Derivation:
     )
 
 
-def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) -> list[ItemEnd]:
-    """Adds what follows from one of some alternatives; returns its last lines of items."""
+def _of_one_case(draft: Desk, others: Sequence[Desk], split: int, start: int) -> set[int]:
+    """The lines of a case that hold in all of them, but of which only this one makes use."""
+    elsewhere = [line.relation for other in others for line in other.lines[start:]]
+    shared: set[int] = set()
+    alone: set[int] = set()
+    for line in reversed(draft.lines[start:]):
+        if split in draft.under(line.number):
+            continue
+        if line.number in shared or line.relation in elsewhere:
+            shared |= set(numbers_in(line.premises))
+        else:
+            alone.add(line.number)
+    return alone
+
+
+def _added_case(
+    before: Desk, desk: Desk, draft: Desk, split: int, option: int, alone: Collection[int]
+) -> list[ItemEnd]:
+    """Adds what follows from one of some alternatives; returns its last lines of items.
+
+    The lines that stand ``alone`` are of this case too.
+    """
     start = max(split, len(before.lines))
-    numbers = _added(desk, draft, split, start)
-    own = tuple(
-        numbers[line.number] for line in draft.lines[start:] if split in draft.under(line.number)
-    )
+    within_case = {
+        line.number
+        for line in draft.lines[start:]
+        if line.number in alone or split in draft.under(line.number)
+    }
+    numbers = _added(desk, draft, within_case, start)
+    own = tuple(numbers[line.number] for line in draft.lines[start:] if line.number in within_case)
     count = len(desk.cases) + 1
     desk.cases.append(Case(count, split, option, own))
     within = {}
@@ -165,14 +197,17 @@ def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) 
     return ends
 
 
-def _added(desk: Desk, draft: Desk, split: int, start: int) -> dict[int, int]:
-    """Adds the lines of one solution from a start on; returns their new numbers by the old."""
+def _added(desk: Desk, draft: Desk, own: Collection[int], start: int) -> dict[int, int]:
+    """Adds the lines of one solution from a start on; returns their new numbers by the old.
+
+    Its ``own`` lines are those of the case.
+    """
     numbers: dict[int, int] = {}
     # What holds in all cases stands before the first of them.
-    for line in sorted(draft.lines[start:], key=lambda line: split in draft.under(line.number)):
+    for line in sorted(draft.lines[start:], key=lambda line: line.number in own):
         premises = tuple(_renumbered(premise, numbers) for premise in line.premises)
         again = None
-        if split not in draft.under(line.number):
+        if line.number not in own:
             again = next(
                 (e.number for e in desk.lines[start:] if e.relation == line.relation), None
             )

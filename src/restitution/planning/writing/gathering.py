@@ -115,9 +115,8 @@ def _where_needed(derivation: Derivation) -> Derivation:
                 elsewhere
                 or line.move.id in ("triangle", "sign")
                 or line.move.record == "component"
-                or _is_a_component_put_in(line)
-                or _is_of_the_axis(line)
-                or _is_an_impulse(line)
+                or _is_a_component_put_in(derivation, line)
+                or _is_an_impulse_or_the_axis(line)
             )
             and items[item or ""] > items[line.item or ""]
         )
@@ -138,25 +137,22 @@ def _where_needed(derivation: Derivation) -> Derivation:
     return numbered_anew(derivation, lines)
 
 
-def _is_a_component_put_in(line: Line) -> bool:
-    """Whether a line only puts values into a component of a velocity."""
-    match line.relation:
-        case Relation(((Link(Quantity("along" | "across", (Quantity("velocity"), _)), "="),),)):
+def _is_a_component_put_in(derivation: Derivation, line: Line) -> bool:
+    """Whether a line only puts values into a component of a velocity, or into its letter."""
+    subject = _subject(line)
+    if isinstance(subject, Letter) and subject.name in derivation.meanings:
+        subject = derivation.meanings[subject.name].quantity
+    match line.relation, subject:
+        case Relation(((Link(_, "="),),)), Quantity("along" | "across", (Quantity("velocity"), _)):
             return line.move.id == "put"
     return False
 
 
-def _is_an_impulse(line: Line) -> bool:
-    """Whether a line says what the impulse on a body is, as a vector."""
+def _is_an_impulse_or_the_axis(line: Line) -> bool:
+    """Whether a line says what an impulse is, or to what the line of centres is parallel."""
     match line.relation:
         case Relation(((Link(Quantity("impulse", (_, *_)), "="), *_),)):
             return True
-    return False
-
-
-def _is_of_the_axis(line: Line) -> bool:
-    """Whether a line says to what the line of centres is parallel."""
-    match line.relation:
         case Relation(((Link(Quantity("line_of_centres"), "parallel to", _),),)):
             return True
     return False
@@ -337,7 +333,9 @@ class _Gathering:
     def _is_for_components(self, line: Line) -> bool:
         """Whether ratios of an angle of the data are only put into components of velocities."""
         users = [own for own in self._derivation.lines if line.number in own.premises]
-        return line.move.id == "triangle" and all(map(_is_a_component_put_in, users))
+        return line.move.id == "triangle" and all(
+            _is_a_component_put_in(self._derivation, own) for own in users
+        )
 
     def _is_sorted_by_items(self, lines: Sequence[Line]) -> bool:
         """Whether the items, and their cases, stand in order already, as they do but for ties."""

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
+    is_binary,
     is_quantity,
     walk,
 )
@@ -351,7 +352,12 @@ class Sources:
             and isinstance(into.relation, Relation)
         ):
             nodes = {node for tree in trees_of(into.relation) for node in walk(tree)}
-            used = [link.left for link in links if link.left in nodes]
+            # A square of a ratio is put in where that stands in a product that is squared.
+            used = [
+                ratio
+                for ratio in (link.left for link in links)
+                if ratio in nodes or (is_binary(ratio, "^") and ratio.left in nodes)
+            ]
             if used:
                 yield from used
                 return
