@@ -125,7 +125,7 @@ def test_whatever_the_language_can_say_has_words(problem):
     asked = question(problem)
     for each in sentences(asked):
         assert re.match(r"[A-Z]", plain(each)) and plain(each).endswith((".", ","))
-    ET.fromstring(fragment(asked))
+    ET.fromstring(fragment(asked).replace("<wbr>", ""))  # HTML has no end of such a tag
     assert to_markdown(asked) and to_typst(asked)
 
 
