@@ -82,6 +82,9 @@ class Comparison:
             if line is not None:
                 number_ = self.claims.compared([line], relation)
                 if number_ is None and len(steps) > 1:
+                    last = self._by_zero_between(sides, numbers, relation)
+                    if last is not None:  # the sense of each is plainer
+                        return last, relation
                     with self.judge.ranges_as_one():  # of both letters in it
                         number_ = self.claims.compared([line], relation)
                 if number_ is None:
