@@ -92,6 +92,7 @@ from restitution.practice.judging.plain_mistakes import (
 from restitution.practice.judging.signs import (
     OF_SIGNS,
     is_inverse_of_the_opposite,
+    is_opposite_impulse,
     is_slip_of_sign,
     is_turned_as_a_whole,
     plainer_signs,
@@ -223,7 +224,8 @@ class Names:
             variants = tuple(variant for variant in variants if variant.mistake == plain)
         if families == _OF_DEFLECTION and adds_two_angles(entry.claim.right):
             variants = tuple(v for v in variants if v.mistake == "deflection-difference")
-        if plain in ("energy-of-difference", "second-wall-angle") and plain not in families:
+        by_form = ("energy-of-difference", "energy-no-half", "second-wall-angle")
+        if plain in by_form and plain not in families:
             variants = ()  # a square of a difference is no energy of one sphere
         if is_numeric(entry.claim.right) and not is_of_a_journey(entry):
             variants = of_this_part(variants, judge.base)
@@ -253,6 +255,8 @@ class Names:
         if plain == "impulse-sign" and vectors and not isinstance(entry.claim.left, Letter):
             # A vector has no size of which the sense is lost: a sign is another.
             plain, slip, near = None, "sign", near or (Use("impulse"),)
+        if "impulse-sign" in {plain, *families} and is_opposite_impulse(entry, judge.base):
+            variants, plain, slip, near = (), None, "sign", (Use("impulse"),)
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:

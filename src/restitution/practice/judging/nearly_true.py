@@ -33,7 +33,7 @@ from restitution.practice.judging.judged_link import (
 from restitution.practice.judging.other_forms import is_signed, same_left
 from restitution.practice.judging.own_values import Naming, OwnValues
 from restitution.practice.reading.relations import worked_out
-from restitution.practice.script import Claim, Decimal, Link, ScriptLine
+from restitution.practice.script import Claim, Decimal, Link, ScriptLine, column_of
 from restitution.practice.worlds.student import student_world
 from restitution.practice.worlds.world import World
 
@@ -127,16 +127,43 @@ class NearlyTrue(OwnValues):
         cut = not (above or beside) and [x for x in link.decimals if x.figures > _FIGURES]
         if self.wrong or not link.decimals or not (above or beside or cut):
             return None
+        own = replace(link, decimals=tuple(map(_cut_off, link.decimals)))
         for claim in link.readings:
-            if is_numeric(claim.left):
+            turned = is_numeric(claim.left)
+            if turned and is_numeric(claim.right):
                 continue
-            own = replace(link, decimals=tuple(map(_cut_off, link.decimals))) if cut else link
+            if self._is_worked_beside(claim, line, link):
+                return JudgedLink("true", claim, "rounded")
+            if turned and not (cut or isinstance(claim.left, Number)):
+                continue  # there every number has to be right: 2(5.36) - 1.71 = 2v + w
             for world in self.worlds:
-                if cut and self.accuracy(claim, world, line, own) is not None:
+                if (cut or turned) and self.accuracy(claim, world, line, own) is not None:
                     return JudgedLink("true", claim, "rounded")
-                if not cut and self._loosely(claim, world, line, link) is not None:
+                if not (cut or turned) and self._loosely(claim, world, line, link) is not None:
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
         return None
+
+    def _is_worked_beside(self, claim: Claim, line: ScriptLine, link: Link) -> bool:
+        """Whether a number is what those of a true equation come to that has its other side.
+
+        In ``3(7.372) = 3v + 2w, so 22.116 = 3v + 2w`` it is right as the figures stand.
+        """
+        own = {decimal.column: decimal.half_unit for decimal in link.decimals}
+        before = takewhile(lambda other: other is not link, line.links)
+        beside = [self._entry_of(line, other, x) for other in before for x in other.readings[:1]]
+        equations = [entry for entry in (*beside, *self.entries[-1:]) if entry.right]
+        for number, side in ((claim.left, claim.right), (claim.right, claim.left)):
+            if not isinstance(number, Number) or claim.sign != "=" or claim.others:
+                continue
+            half = own.get(column_of(number) or 0, Fraction(0))
+            for entry in equations:
+                sides = entry.claim.left, entry.claim.right
+                if side not in sides or entry.claim.sign != "=":
+                    continue
+                value = worked_out(sides[1 - sides.index(side)])
+                if value is not None and abs(value - number.value) <= half:
+                    return self._valid(entry.claim, entry)
+        return False
 
     def _in_other_sense(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A component by its size, with its sense in words: ``v = 2u/15 to the left``."""

@@ -145,9 +145,9 @@ def _is_without_half(entry: Entry, world: World) -> bool:
 
 
 def _loses(entry: Entry, one: Expression, other: Expression) -> bool:
-    """Whether a line gives an energy lost as squares, or as a difference: 3(100) - 3(40)."""
+    """Whether a line gives an energy lost as squares, or as a difference: 3(100 - 40)."""
     lost = other is entry.claim.left and is_quantity(meant_by(entry), *LOSSES)
-    return lost and (has_square(one) or is_binary(one, "-"))
+    return lost and (has_square(one) or any(is_binary(node, "-") for node in walk(one)))
 
 
 def _is_of_line_energies(entry: Entry, world: World) -> bool:

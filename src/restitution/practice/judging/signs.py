@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
@@ -17,16 +18,19 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
     has_unit_vector,
     is_quantity,
     letters,
     walk,
 )
+from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.entries import Entry, is_monomial, is_numeric
 from restitution.practice.judging.plain_mistakes import is_zero
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.squares import is_worth
+from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -116,6 +120,18 @@ def is_turned_as_a_whole(entry: Entry, mended: Sequence[Correction]) -> bool:
         and any(correction.part is side or correction.part == side for side in sides)
         for correction in mended
     )
+
+
+def is_opposite_impulse(entry: Entry, world: World) -> bool:
+    """Whether an impulse of a given size is equal to the opposite of the change of momentum.
+
+    In ``12 = 3(v - 5)`` for a sphere that is slowed down the terms are subtracted as they should
+    be: what is wrong is the sense of the impulse alone.
+    """
+    left, right = entry.claim.left, entry.claim.right
+    sized = any(is_numeric(side) and is_monomial(side) for side in (left, right))
+    opposite = replace(entry, claim=Claim(left, "=", Negate(right)))
+    return sized and entry.claim.sign == "=" and holds_in(opposite, world)
 
 
 def _terms(world: World) -> Iterator[Array]:

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import permutations
 
 from restitution.explaining.lines.derivation import FLIPPED
 from restitution.expression.tree import (
+    Expression,
     Number,
     Quantity,
+    is_quantity,
     letters,
     quantities_in,
+    walk,
 )
 from restitution.practice.judgement import JudgedLine
+from restitution.practice.judging.entries import is_monomial
 from restitution.practice.marking.alternatives import Alternatives
 from restitution.practice.marking.line_contents import (
     listed_numbers,
@@ -74,6 +79,40 @@ class CarriedComponents(Alternatives):
             or not (isinstance(value, Number) and value.value.denominator == 1)
             or value.value in into
         )
+
+    def is_product(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line works out the scalar product of a point, over the size of its vector too.
+
+        ``(5i + j).(2i - j)/√5 = 9/√5``: the velocity stands in it by its components.
+        """
+        product = None if point.link is None else point.link.left
+        if not is_quantity(product, "dot", "along"):
+            return False
+        return any(
+            any(self._is_product_of(node, product, line) for node in walk(chain[0].left))
+            and (
+                product.kind == "along"
+                or any(self._is_worth(chain[0].left, size, line) for size in sizes_of(product))
+            )
+            for chain in chains(line)
+            if product.kind == "dot" or is_monomial(chain[0].left)
+        )
+
+    def _is_product_of(self, node: Expression, product: Quantity, line: JudgedLine) -> bool:
+        """Whether a tree is the scalar product of the velocity of a point with a vector.
+
+        For a component along a line that vector is along the line, and of any length:
+        ``(5, 1).(3, 4) = 19``.
+        """
+        if not is_quantity(node, "dot"):
+            return False
+        velocity, axis = product.arguments
+        for own, other in permutations(node.arguments):
+            if self._is_worth(own, velocity, line) and (
+                product.kind == "dot" or self._is_parallel(other, axis, self._meanings(line), line)
+            ):
+                return True
+        return False
 
     def is_at_a_wall(self, point: MarkPoint) -> bool:
         """Whether a point is for the component of one velocity alone, as at a wall."""

@@ -138,25 +138,6 @@ def sizes_of(quantity: Quantity) -> tuple[Quantity, ...]:
 class LineContents(Sides):
     """What lines name of spheres and coefficients, list as answers, and add up."""
 
-    def is_product(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line works out the scalar product of a point, over the size of its vector too.
-
-        ``(5i + j).(2i - j)/√5 = 9/√5``: the velocity stands in it by its components.
-        """
-        product = None if point.link is None else point.link.left
-        if not is_quantity(product, "dot"):
-            return False
-        velocity = product.arguments[0]
-        return any(
-            any(
-                is_quantity(node, "dot")
-                and any(self._is_worth(own, velocity, line) for own in node.arguments)
-                for node in walk(chain[0].left)
-            )
-            and any(self._is_worth(chain[0].left, size, line) for size in sizes_of(product))
-            for chain in chains(line)
-        )
-
     def lacks_coefficient(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a point is for the law with a coefficient to be found, and a line is without it.
 

@@ -58,7 +58,8 @@ KEEPS = re.compile(
 # A time, or a way, by a speed: ``2 more in y at 1 m/s = 2 s``, ``3 s at 2 m/s = 6 m``.
 _SPEED = r"(\d[\d./]*)\s*(?:m/s|ms\s?\^?-1|m\s?s\s?\^?-1|ms⁻¹|m\s?s⁻¹)"
 AT_A_SPEED = re.compile(
-    rf"(?:\bdistance\s+(?:(?:of|is)\s+)?)?(?<![\w.])(\d[\d./]*)(?:\s*(s|secs?|seconds?))?(?![\w/.])[^=<>\d,;]*\bat\s+{_SPEED}\s*"
+    r"(?:\bdistance\s+(?:(?:of|is)\s+)?)?(?<![\w.])(\d[\d./]*)(?:\s*(s|secs?|seconds?)|m)?(?![\w/.])"
+    rf"[^=<>\d,;]*\bat\s+{_SPEED}\s*"
     r"(?:=|is|takes?)\s*(?=\d)"
 )
 # A velocity by its size and direction: ``7.12 m/s at 25.5° to the gate``.

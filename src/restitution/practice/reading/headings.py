@@ -45,7 +45,8 @@ _DONE = re.compile(
     r"\s*(?::|=+>|gives)\s*(?=[^\s=<>+*/^])"
 )
 _BEHIND = re.compile(
-    r"(?:[\s.…_-]+|\s)(?:[(\[]\s*(?:eqn?\s*)?(?:\d|[ivx]+|\*+|[A-E])\s*[)\]]|[①-⑳])\s*$"
+    r"(?:[\s.…_-]+|\s)(?:[(\[]\s*(?:(?:eqn?\s*)?(?:\d|[ivx]+|\*+|[A-E])|[×*÷/]\s*\w{1,3}|x\s?\d{2,3})"
+    r"\s*[)\]]|[①-⑳])\s*$"
 )
 
 
@@ -89,7 +90,7 @@ def without_number(text: str) -> int:
 
 
 def number_behind(text: str) -> int:
-    """Where a line ends before the number of an equation behind it."""
+    """Where a line ends before the number of an equation, or what is done to it: ``[×10]``."""
     match = _BEHIND.search(text)
     if match and re.search(r"[=<>≤≥]", text[: match.start()]) and text[: match.start()].strip():
         return match.start()

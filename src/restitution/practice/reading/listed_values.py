@@ -58,6 +58,23 @@ HEADING_IS = re.compile(
     r"(?=[-−(]?\s?[-−(]?[\d./√½⅓⅔¼¾×*()]*\s?[a-z]?i\s*[-+−]|\([^(),=<>]{1,20},[^(),=<>]{1,20}\))"
 )
 
+# A vector behind the number of an event: ``second 4i - j``, ``2nd: 4i - j``.
+BY_NUMBER = re.compile(
+    r"^\s*(?:and\s+|then\s+)?(first|second|third|fourth|1st|2nd|3rd|4th)"
+    r"(?:\s+(?:bounce|hit|impact|collision|wall|cushion))?\s*:?\s+"
+    rf"(?=(?:{_OF_ANY})\s*(?:m\s?/\s?s|m\s?s\s?(?:\^?-1|⁻¹))?[\s.]*$)",
+    re.IGNORECASE,
+)
+# Components of two spheres without a comma: ``A perp 4.50 B perp 4.70``.
+_OF_A_BODY = r"[A-Z]\s+(?:perp(?:endicular)?|para?(?:llel)?|along|across)\s*[:=]?\s*"
+TWO_BODIES = re.compile(rf"^(\s*{_OF_A_BODY}[-−]?[\d./√]+[a-z]?)\s+(?={_OF_A_BODY}[-−\d√])")
+
+
+def by_number(match: re.Match[str], problem: Problem) -> str:
+    """The heading of an event, where one sphere has several."""
+    alone = len(problem.spheres) == 1 and len(problem.events) > 1
+    return f"after {match[1].lower()}: " if alone else match[0]
+
 
 def from_one_to_another(match: re.Match[str], problem: Problem) -> str:
     """What a velocity becomes, or the velocities of a sphere before and after."""

@@ -425,6 +425,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_THEN, _becoming),
     (listed_values.ARROW, listed_values.from_one_to_another),
     (listed_values.STAGE_BEFORE_A_NAME, listed_values.stage_before_a_name),
+    (listed_values.BY_NUMBER, listed_values.by_number),
+    (listed_values.TWO_BODIES, lambda match, _: f"{match[1]}, "),
     (listed_values.HEADING_IS, lambda match, _: f"{match[1]}: "),
     (listed_values.AFTER_A_WALL, listed_values.after_a_wall),
     (listed_values.OF_BODIES, listed_values.of_bodies),
