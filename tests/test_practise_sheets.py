@@ -96,7 +96,7 @@ def test_a_mistake_that_keeps_its_method_is_not_condoned(notes):
 def test_tables_are_escaped(rows):
     table = to_table(rows)
     assert html.to_blocks([table]).count("<tr>") == len(rows) + 2
-    assert "#table(" in typst.to_blocks([table])
+    assert typst.to_blocks([table]).count("table(") == 1
     text = to_text(Document("", (table,)))
     assert max(map(len, text.splitlines())) <= 80 and "Newton" in text
 
