@@ -190,6 +190,8 @@ class Following(NearlyTrue):
         """A line that is true, or follows, with what the student's wrong numbers stand for."""
         for claim in self._in_all_meanings(link, line):
             for own, numbers in self._own_numbers.put_back(claim):
+                if self._becomes_zero(claim, own):
+                    continue  # any other number would follow as well
                 worlds: Sequence[World] = self.worlds
                 if _quantities_of(own) <= _quantities_of(claim):
                     # A product of data is in his world what it is in the true one.
@@ -201,6 +203,19 @@ class Following(NearlyTrue):
                 if grade is not None:
                     return JudgedLink("follows", claim, grade, numbers, right=own)
         return None
+
+    def _becomes_zero(self, claim: Claim, own: Claim) -> bool:
+        """Whether a side is zero with what wrong numbers stand for, and is not as it is written."""
+        for written, side in ((claim.left, own.left), (claim.right, own.right)):
+            if written == side:
+                continue
+            try:
+                before, after = (np.abs(self._base.scalar(x)) for x in (written, side))
+            except UnvaluedError:
+                continue
+            if np.all(after <= OWN_ROUNDING) and np.any(before > OWN_ROUNDING):
+                return True
+        return False
 
     def _with_own_fixed(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A line that holds with the student's own value of what the question fixes.
