@@ -12,6 +12,7 @@ from restitution.planning.writing.forms import (
     ZERO,
     alike,
     difference,
+    multiple,
     negative,
     product,
     square,
@@ -121,18 +122,14 @@ def restitution_along(
         gap, approach = late[second] - late[first], early[first] - early[second]
         move = Move("law", "restitution", number, (first, second))
     left, right = (_product(vector, change) for vector in (gap, approach))
-    final = chain(left, (swept(_times(e.value, right)), None))
+    final = chain(left, (swept(multiple(e.value, right)), None))
     if len(late) == 1:
         return scene.desk.write(move, refs, final), final
     # How fast they are, relative to each other, stands as a difference first.
     left = _product_of_difference((late[second], late[first]), change)
     right = _product_of_difference((early[first], early[second]), change)
-    relation = chain(left, (swept(_times(e.value, right)), None))
+    relation = chain(left, (swept(multiple(e.value, right)), None))
     return scene.desk.write(move, refs, relation), final
-
-
-def _times(e: sp.Expr, product_: Expression) -> Expression:
-    return product_ if e == 1 else product(tree_of(e), product_)
 
 
 def _product_of_difference(pair: tuple[Vector, Vector], change: Vector) -> Expression:

@@ -6,11 +6,10 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Relation, turned
-from restitution.expression.tree import Expression
 from restitution.planning.closing.ratios import functions_of
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.desk import chain
-from restitution.planning.writing.forms import ONE, difference, product, square, tree_of
+from restitution.planning.writing.forms import ONE, difference, multiple, square, tree_of
 from restitution.planning.writing.polynomials import numerator, polynomial_in
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -90,20 +89,9 @@ def _steps(form: sp.Expr, alone: sp.Expr, other: sp.Expr) -> list[Step]:
     whole = chain(tree_of(tidy(sense * (form + number))), (tree_of(tidy(sense * number)), None))
     rest = tidy(sp.factor_terms(slope * alone - form))
     parted = chain(tree_of(tidy(slope * alone)), (tree_of(rest), None))
-    coefficient, sums = _number_of(rest)
-    right = _times(coefficient**2, square(tree_of(sums)))
-    squared = chain(_times(slope**2, square(tree_of(alone))), (right, None))
+    coefficient, sums = rest.as_independent(*rest.free_symbols, as_Add=False)
+    right = multiple(tidy(coefficient**2), square(tree_of(sums)))
+    squared = chain(multiple(tidy(slope**2), square(tree_of(alone))), (right, None))
     by_other = difference(ONE, square(tree_of(other)))
-    last = chain(_times(slope**2, by_other), (right, None))
+    last = chain(multiple(tidy(slope**2), by_other), (right, None))
     return [(_MOVES, whole), (_MOVES[:1], parted), (_MOVES[:1], squared), (_MOVES[1:], last)]
-
-
-def _times(number: sp.Expr, tree: Expression) -> Expression:
-    """A number times a tree, and the tree itself where that is 1."""
-    return tree if number == 1 else product(tree_of(tidy(number)), tree)
-
-
-def _number_of(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """The number before a product, and what goes with it."""
-    numbers = [factor for factor in sp.Mul.make_args(x) if factor.is_number]
-    return sp.Mul(*numbers), x / sp.Mul(*numbers)

@@ -13,7 +13,7 @@ from restitution.explaining.lines.derivation import Move, Relation, equality
 from restitution.expression.tree import Apply, Expression, is_function, walk
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
-from restitution.planning.writing.forms import difference, product, total, tree_of
+from restitution.planning.writing.forms import difference, multiple, total, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 
@@ -42,8 +42,8 @@ def squared_apart(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         near, far = (other, b, 1), (one, a)
         rest = -rest
     root, share, sign = near
-    with_rest = _joined(_times(share, root), tree_of(tidy(rest)), sign)
-    apart = equality(_times(far[1], far[0]), with_rest)
+    with_rest = _joined(multiple(tidy(share), root), tree_of(tidy(rest)), sign)
+    apart = equality(multiple(tidy(far[1]), far[0]), with_rest)
     link = scene.desk.last_link(number)
     if {link.left, link.right} != {apart.only[0].left, with_rest}:
         line = in_another_form(scene, number, apart)
@@ -53,7 +53,7 @@ def squared_apart(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     squared = [
         expanded(share**2 * scene_value(scene, tree) ** 2) for tree, share in ((root, share), far)
     ]
-    middle = _times(expanded(_TWO * share * rest), root)
+    middle = multiple(tidy(expanded(_TWO * share * rest)), root)
     whole = total([_of_square(share, root, squared[0]), tree_of(tidy(rest**2))])
     whole = total([whole, middle]) if sign > 0 else difference(whole, middle)
     relation = equality(_of_square(far[1], far[0], squared[1]), whole)
@@ -96,10 +96,6 @@ def _as_it_stands(
             if times.is_rational_function() and not times.free_symbols & root.free_symbols:
                 return node, tidy(share / times)
     return Apply("sqrt", tree_of(root.base)), share
-
-
-def _times(share: sp.Expr, root: Expression) -> Expression:
-    return root if share == 1 else product(tree_of(tidy(share)), root)
 
 
 def _of_square(share: sp.Expr, root: Expression, value: sp.Expr) -> Expression:

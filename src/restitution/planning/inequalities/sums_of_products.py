@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.expression.tree import Binary, Expression
-from restitution.planning.writing.forms import ONE, product, total, tree_of
+from restitution.planning.writing.forms import ONE, multiple, total, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
@@ -42,7 +42,7 @@ def never_negative(scene: Scene, x: sp.Expr) -> Expression | None:
             if share > 0:
                 missing = tuple(a - b for a, b in zip(powers, other, strict=True))
                 away = Binary("-", ONE, tree_of(_monomial(symbols, missing)))
-                products.append(_times(share * _monomial(symbols, other), away))
+                products.append(multiple(share * _monomial(symbols, other), away))
                 left[other], needed = left[other] - share, needed - share
         if needed > 0:
             return None
@@ -56,7 +56,3 @@ def _divides(powers: Powers, others: Powers) -> bool:
 
 def _monomial(symbols: Sequence[sp.Symbol], powers: Powers) -> sp.Expr:
     return sp.Mul(*(symbol**power for symbol, power in zip(symbols, powers, strict=True)))
-
-
-def _times(factor: sp.Expr, away: Expression) -> Expression:
-    return away if factor == 1 else product(tree_of(factor), away)

@@ -255,6 +255,11 @@ def product(*factors: Expression) -> Expression:
     return Negate(total) if minus else total
 
 
+def multiple(value: sp.Expr, tree: Expression) -> Expression:
+    """A value times a tree, and the tree itself where that is 1."""
+    return tree if value == 1 else product(tree_of(value), tree)
+
+
 def is_one(tree: Expression) -> bool:
     """Whether a tree is the number 1."""
     return type(tree) is Number and tree.value == 1

@@ -31,7 +31,7 @@ from restitution.solving.story.conditions import AnyOf, Condition, Equation
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening
 from restitution.solving.story.quantities import reason_of_rest, reason_without_direction
-from restitution.solving.story.unknowns import Letters
+from restitution.solving.story.unknowns import Letters, proved_sign
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf
@@ -334,7 +334,7 @@ def _met_after_a_rebound(
     refused: str,
 ) -> list[Requirement]:
     """What two spheres need to meet, or not to meet, where one may come back from a wall."""
-    sure = [_proved_sign(story, own.heading) == 1 for own in rebounds]
+    sure = [proved_sign(story, own.heading) == 1 for own in rebounds]
     if len(rebounds) > 1 and all(sure):
         # Each goes to its own wall: who comes back from there meets the other.
         back = sum(own.back for own in rebounds)
@@ -362,18 +362,11 @@ def _met_after_a_rebound(
     ]
 
 
-def _proved_sign(story: Story, x: Scalar) -> int | None:
-    """The sign of a scalar where it is certain: nothing is taken for granted by that."""
-    if isinstance(story.unknowns, Letters):
-        return story.unknowns.proved_sign(sp.sympify(x, strict=True), story.conditions)
-    return story.sign(x)
-
-
 def _is_never_positive(story: Story, x: Scalar) -> bool:
     """Whether it is certain that a scalar is negative or zero."""
     if story.field.exact and sp.sympify(x, strict=True).is_nonpositive:
         return True
-    return _proved_sign(story, x) in (0, -1)
+    return proved_sign(story, x) in (0, -1)
 
 
 def _leave_their_line(story: Story, event: Happening, one: str, other: str, now: int) -> bool:

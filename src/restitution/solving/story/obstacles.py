@@ -18,7 +18,7 @@ from restitution.shapes import Segment
 from restitution.solving.story import contacts
 from restitution.solving.story.conditions import AnyOf, Condition
 from restitution.solving.story.state import State
-from restitution.solving.story.unknowns import Letters
+from restitution.solving.story.unknowns import Letters, proved_sign
 from restitution.vector import Vector
 
 _ON_IT: tuple[tuple[int, int, tuple[Condition, ...]], ...] = ((0, 0, ()),)
@@ -96,10 +96,10 @@ def sides_of_wall(
     speed towards the wall open as well, these are both sides, each with the condition that it does
     not come from there.
     """
-    side = _proved_sign(state, gap)
+    side = proved_sign(state, gap)
     if side:
         return ((side, side, ()),)
-    sense = _proved_sign(state, speed)
+    sense = proved_sign(state, speed)
     if sense is not None:
         return ((-sense or 1, sense or 1, ()),)
     return tuple((one, -one, (Condition(one * speed, ">=", "", "place"),)) for one in (-1, 1))
@@ -188,18 +188,11 @@ def _first_touch(
 
 def _starts(state: State, a: Scalar, b: Scalar) -> Iterator[tuple[Scalar, tuple[Condition, ...]]]:
     """The later of two times in letters, each with the condition that it is not the later one."""
-    sign = _proved_sign(state, a - b)
+    sign = proved_sign(state, a - b)
     if sign is None or sign >= 0:
         yield a, () if sign is not None else (Condition(b - a, ">", "", "place"),)
     if sign is None or sign < 0:
         yield b, () if sign is not None else (Condition(a - b, ">=", "", "place"),)
-
-
-def _proved_sign(state: State, x: Scalar) -> int | None:
-    unknowns = state.unknowns
-    if not isinstance(unknowns, Letters):
-        return state.sign(x)
-    return unknowns.proved_sign(expression_of(x), state.conditions)
 
 
 def _no_contact_within(
@@ -261,7 +254,7 @@ def _no_contact_within(
 
 def _is_met(state: State, condition: Condition) -> bool | None:
     """Whether a condition holds for all letters, or for none; None where it depends on them."""
-    sign = _proved_sign(state, condition.value)
+    sign = proved_sign(state, condition.value)
     if sign is None:
         return None
     return {">": sign > 0, ">=": sign >= 0, "!=": sign != 0}[condition.relation]

@@ -9,9 +9,9 @@ from dataclasses import field
 
 import sympy as sp
 
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import expression_of, symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
-from restitution.expression.evaluate import Angle, Symbolic, Value
+from restitution.expression.evaluate import Angle, Scalar, Symbolic, Value
 from restitution.oracle import Formula, Oracle, Relation
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.records import dataclass
@@ -19,7 +19,7 @@ from restitution.solving.algebra.numbers import Sample, plain_sign, sample, sign
 from restitution.solving.story.admission import formula_of
 from restitution.solving.story.conditions import AnyOf, Condition
 from restitution.solving.story.contacts import rests_on
-from restitution.solving.story.state import Sign
+from restitution.solving.story.state import Sign, State
 
 SYMBOLIC = Symbolic()
 
@@ -125,3 +125,11 @@ class Numbers:
 
     def sign(self, x: Enclosed, given: Sequence[Condition | AnyOf] = ()) -> int:
         return Enclosed.of(x).sign
+
+
+def proved_sign(state: State, x: Scalar) -> int | None:
+    """The sign of a scalar where it is certain: nothing is taken for granted by that."""
+    unknowns = state.unknowns
+    if not isinstance(unknowns, Letters):
+        return state.sign(x)
+    return unknowns.proved_sign(expression_of(x), state.conditions)
