@@ -32,7 +32,7 @@ from restitution.solving.equations.solution import Answer, ItemResult
 from restitution.solving.ranges.by_signs import HalfForm, forms_by_signs
 from restitution.solving.ranges.cases import Case, cases
 from restitution.solving.ranges.images import Image
-from restitution.solving.ranges.limits import limit
+from restitution.solving.ranges.limits import TwoForms, limit
 from restitution.solving.ranges.open_lines import open_slopes, with_lines_chosen
 from restitution.solving.ranges.regions import Region
 from restitution.solving.ranges.validity import (
@@ -340,7 +340,7 @@ def _range_of_quantity(
     fixed = {name for trial in first.trials for name in trial.root.values}
     outcome = desk.outcome(desk.settle(in_terms_of, item, named)) if named else first
     values = values_of_trials(outcome, tree, now)
-    present = {s.name for _, value, _ in values for s in value.free_symbols}
+    present = {s.name for _, value in values for s in value.textbook.free_symbols}
     freed = _free(first, in_terms_of) | named
     free = (freed & present) - (fixed - named)
     free = free or _restricted(outcome) & present
@@ -348,7 +348,7 @@ def _range_of_quantity(
         free = free or _without_dimension(outcome) & present
     free -= set(in_terms_of or ())
     if not free:
-        return [(sp.FiniteSet(*[value for _, value, _ in values]), ())], angle, "algebra"
+        return [(sp.FiniteSet(*[value.textbook for _, value in values]), ())], angle, "algebra"
     _require_visible(outcome, present)
     image, proof = _image(outcome, values, sorted(free), angle)
     return image, angle, proof
@@ -375,10 +375,8 @@ def _without_dimension(outcome: Outcome) -> set[str]:
 
 def values_of_trials(
     outcome: Outcome, tree: Expression, now: int, asked: str = "the range"
-) -> list[tuple[Trial, sp.Expr, sp.Expr]]:
-    """The value of a quantity in each accepted trial, in textbook form, and as it is worked out.
-
-    The other form has a value also where an angle is one at which the textbook form has none.
+) -> list[tuple[Trial, TwoForms]]:
+    """The value of a quantity in each accepted trial.
 
     Raises MissingError where the value rests on what is open, ContradictionError where there is no
     trial, and UnsupportedError for a vector.
@@ -398,27 +396,27 @@ def values_of_trials(
         if isinstance(value, tuple):
             raise UnsupportedError("the range of a vector is not a set of numbers")
         directions = forms.by_directions(raw, outcome.witnesses(trial))
-        images.append((trial, value, value if directions is None else directions))
+        images.append((trial, TwoForms(value, value if directions is None else directions)))
     if not images:
         raise ContradictionError("no values satisfy all that is told")
     return images
 
 
 def _image(
-    outcome: Outcome, values: list[tuple[Trial, sp.Expr, sp.Expr]], free: list[str], angle: bool
+    outcome: Outcome, values: list[tuple[Trial, TwoForms]], free: list[str], angle: bool
 ) -> tuple[list[Form], Proof]:
     """The values of expressions as letters vary freely within what is allowed."""
     sets: list[sp.Set] = []
     proofs: list[Proof] = []
     limits: tuple[Limitation, ...] = ()
-    for trial, value, whole in values:
+    for trial, value in values:
         own = replace(outcome, trials=(trial,))
-        used = [name for name in free if any(s.name == name for s in value.free_symbols)]
+        used = [name for name in free if any(s.name == name for s in value.textbook.free_symbols)]
         if not used:
-            sets.append(sp.FiniteSet(value))
+            sets.append(sp.FiniteSet(value.textbook))
             proofs.append("algebra")
             continue
-        image = Image(own, value, whole, used, angle)
+        image = Image(own, value, used, angle)
         one, several = _forms(image)
         if len(values) == 1 and not always_exist(one, Oracle(image.roles, image.given)):
             several = [] if len(own_cases := cases(image)) < 2 else own_cases

@@ -65,7 +65,7 @@ from restitution.solving.ranges.allowed_values import (
 )
 from restitution.solving.ranges.cases import Case, cases
 from restitution.solving.ranges.images import Candidate, is_near, reaches, tends
-from restitution.solving.ranges.limits import LONG, breaks, limit_at, limits, turning
+from restitution.solving.ranges.limits import LONG, TwoForms, breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.ranges.validity import Limitation, bounds_of, defined, with_condition
 from restitution.solving.story.admission import Admission, Demand
@@ -98,15 +98,15 @@ def find_extremum(
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
     candidates: list[tuple[Trial, Best]] = []
-    values: dict[int, tuple[sp.Expr, sp.Expr]] = {}
+    values: dict[int, TwoForms] = {}
     trials = values_of_trials(outcome, item.expression, now, f"the {item.kind}")
-    for trial, value, whole in trials:
-        values[id(trial)] = value, whole
+    for trial, value in trials:
+        values[id(trial)] = value
         own = replace(outcome, trials=(trial,))
         try:
-            best = _best(own, value, whole, name, sign)
+            best = _best(own, value, name, sign)
         except DependsOnDataError:
-            several = [] if len(trials) > 1 else cases(_Winners(own, value, whole, name, sign))
+            several = [] if len(trials) > 1 else cases(_Winners(own, value, name, sign))
             if not several or any(case.pieces[0][0].value.is_infinite for case in several):
                 raise
             return _in_cases(own, item, several, angle)
@@ -122,10 +122,10 @@ def find_extremum(
     own = replace(outcome, trials=(trial,))
     place = candidate.where[name]
     answer = _answer(own, item, candidate.value, (place, *further), reached, angle)
-    proof, limits = _proved(own, *values[id(trial)], candidate, reached, sign)
+    proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
     if reached and not place.is_infinite:
         limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
-    elsewhere = _elsewhere(own, *values[id(trial)], name, (candidate, reached), data, sign)
+    elsewhere = _elsewhere(own, values[id(trial)], name, (candidate, reached), data, sign)
     existing = _where_it_is_defined(own, item, now)
     limits = tuple({limit.text: limit for limit in (*limits, *elsewhere, *existing)}.values())
     assert answer.layout is not None
@@ -286,7 +286,7 @@ def _with_a_letter_to_vary(desk: Desk, name: str, setting: Setting) -> Outcome:
 
 
 def _proved(
-    outcome: Outcome, value: sp.Expr, whole: sp.Expr, best: Candidate, reached: bool, sign: int
+    outcome: Outcome, value: TwoForms, best: Candidate, reached: bool, sign: int
 ) -> tuple[Proof, tuple[Limitation, ...]]:
     """The proof that no value lies beyond an extremum, or equals one that is only approached.
 
@@ -296,9 +296,8 @@ def _proved(
     region = Region(outcome, next(iter(best.where)))
     if region.formula is None:
         return "undecided", ()
-    if breaks(value, region.symbol, region.roles):
-        value = whole  # also where the textbook form has no value
-    claim = Relation(sign * (best.value - value), ">=" if reached else ">")
+    own = value.without_poles(region.symbol, region.roles)
+    claim = Relation(sign * (best.value - own), ">=" if reached else ">")
     try:
         verdict = Oracle(region.roles, (region.formula,)).decide(claim)
         for inside, limitation in _without_an_end(region, verdict):
@@ -314,8 +313,7 @@ def _proved(
 
 def _elsewhere(
     outcome: Outcome,
-    value: sp.Expr,
-    whole: sp.Expr,
+    value: TwoForms,
     name: str,
     best: tuple[Candidate, bool],
     data: Sample,
@@ -333,12 +331,11 @@ def _elsewhere(
         symbol = role.symbol(coefficient)
         if not any(
             expression.has(symbol)
-            for expression in (value, candidate.value, *candidate.where.values())
+            for expression in (value.textbook, candidate.value, *candidate.where.values())
         ):
             continue
         kept = [
-            closed
-            and _is_best_at(region, value, whole, (candidate, reached), {symbol: end}, data, sign)
+            closed and _is_best_at(region, value, (candidate, reached), {symbol: end}, data, sign)
             for end, closed in zip((role.low, role.high), role.closed, strict=True)
         ]
         if tuple(kept) != role.closed:
@@ -391,8 +388,7 @@ def _exists_at(
 
 def _is_best_at(
     region: Region,
-    value: sp.Expr,
-    whole: sp.Expr,
+    value: TwoForms,
     best: tuple[Candidate, bool],
     put: Mapping[sp.Symbol, sp.Expr],
     data: Sample,
@@ -400,15 +396,14 @@ def _is_best_at(
 ) -> bool:
     """Whether an extremum is one for these values of some data, where there is one at all."""
     candidate, reached = best
-    there = value.xreplace(put)
+    there = value.put(put)
     drawn = {**data, **{symbol.name: at(x, {}) for symbol, x in put.items()}}
-    if not there.has(region.symbol):
-        number = limit_at(there, drawn)
+    if not there.textbook.has(region.symbol):
+        number = limit_at(there.textbook, drawn)
         own = limit_at(candidate.value.xreplace(put), drawn)
         return number is None or (own is not None and not (own - number).sign)
     try:
-        candidates = _candidates(region, there)
-        winner = _winner(region, there, whole.xreplace(put), candidates, drawn, sign)
+        winner = _winner(region, there, _candidates(region, there.textbook), drawn, sign)
     except UnsupportedError:
         return False
     if winner is None:
@@ -438,8 +433,7 @@ def _without_an_end(region: Region, verdict: Verdict) -> Iterator[tuple[Formula,
 
 def _further(
     region: Region,
-    value: sp.Expr,
-    whole: sp.Expr,
+    value: TwoForms,
     candidates: list[Candidate],
     extreme: tuple[Candidate, bool],
     data: Sample,
@@ -457,9 +451,11 @@ def _further(
         if number is None:
             continue
         if not reached:
-            close = is_near(region, candidate, data) and tends(region, value, candidate, data)
+            close = is_near(region, candidate, data) and tends(
+                region, value.textbook, candidate, data
+            )
         else:
-            close = reaches(region, whole, candidate, number, data)
+            close = reaches(region, value.whole, candidate, number, data)
         if close:
             places.append(place)
     return tuple(places)
@@ -475,12 +471,10 @@ class _Winners:
     Its ends are the extremum and its place; the first is closed where the extremum is reached.
     """
 
-    def __init__(
-        self, outcome: Outcome, value: sp.Expr, whole: sp.Expr, name: str, sign: int
-    ) -> None:
+    def __init__(self, outcome: Outcome, value: TwoForms, name: str, sign: int) -> None:
         self._region = Region(outcome, name)
-        self._value, self._whole, self._sign = value, whole, sign
-        self._candidates = _candidates(self._region, value)
+        self._value, self._sign = value, sign
+        self._candidates = _candidates(self._region, value.textbook)
         self.role, self.roles = REAL, self._region.roles
         self.data, self.given = self._region.data, self._region.given
         self.formula, self.of_data = self._region.formula, self._region.of_data
@@ -502,13 +496,13 @@ class _Winners:
         self, drawn: Sample, put: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
     ) -> list[Piece]:
         """The extremum for these values of the data, or none; ``put`` has some exactly."""
-        value, whole, candidates = self._value, self._whole, self._candidates
-        if put and value.has(*put):
-            value, whole = value.xreplace(put), whole.xreplace(put)
-            if not value.has(self._region.symbol):
+        value, candidates = self._value, self._candidates
+        if put and value.textbook.has(*put):
+            value = value.put(put)
+            if not value.textbook.has(self._region.symbol):
                 return []
-            candidates = _candidates(self._region, value)
-        winner = _winner(self._region, value, whole, candidates, drawn, self._sign)
+            candidates = _candidates(self._region, value.textbook)
+        winner = _winner(self._region, value, candidates, drawn, self._sign)
         if winner is None:
             return []
         best, reached, _, _ = winner
@@ -524,8 +518,7 @@ class _Winners:
         open_ = Verdict("undecided", "undecided")
         if self.formula is None or best.value.is_infinite:
             return open_
-        broken = breaks(self._value, self._region.symbol, self.roles)
-        value = self._whole if broken else self._value
+        value = self._value.without_poles(self._region.symbol, self.roles)
         claim = Relation(self._sign * (best.value - value), ">=" if best.closed else ">")
         parts = self.formula.parts if isinstance(self.formula, All) else (self.formula,)
         letter = self._region.letter
@@ -584,12 +577,12 @@ def _solved_letters(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Ex
 _TRIED = 60
 
 
-def _best(outcome: Outcome, value: sp.Expr, whole: sp.Expr, name: str, sign: int) -> Best | None:
+def _best(outcome: Outcome, value: TwoForms, name: str, sign: int) -> Best | None:
     region = Region(outcome, name)
     roles = _roles(outcome)
-    if not value.has(region.symbol):
+    if not value.textbook.has(region.symbol):
         raise UnsupportedError(f"the quantity does not depend on {name}")
-    candidates = _candidates(region, value)
+    candidates = _candidates(region, value.textbook)
     data = region.data()
     rng = random.Random(31)
     winners: list[Extreme] = []
@@ -598,7 +591,7 @@ def _best(outcome: Outcome, value: sp.Expr, whole: sp.Expr, name: str, sign: int
         number = len(winners) + DRAWS
         for _ in range(DRAWS_TRIED if data else 1):
             drawn = sample(data, roles, rng, at_edge)
-            chosen = _winner(region, value, whole, candidates, drawn, sign)
+            chosen = _winner(region, value, candidates, drawn, sign)
             if chosen is not None:
                 winners.append(chosen)
             if len(winners) == number:
@@ -609,7 +602,7 @@ def _best(outcome: Outcome, value: sp.Expr, whole: sp.Expr, name: str, sign: int
     if any(winner[0] != first[0] for winner in winners[1:]):
         raise DependsOnDataError("where the extremum lies depends on the values of the data")
     best, reached, _, drawn = first
-    return first, _further(region, value, whole, candidates, (best, reached), drawn)
+    return first, _further(region, value, candidates, (best, reached), drawn)
 
 
 def _roles(outcome: Outcome) -> dict[str, Role]:
@@ -642,23 +635,19 @@ def _candidates(region: Region, value: sp.Expr) -> list[Candidate]:
 
 def _winner(
     region: Region,
-    value: sp.Expr,
-    whole: sp.Expr,
+    value: TwoForms,
     candidates: list[Candidate],
     drawn: Sample,
     sign: int,
 ) -> Extreme | None:
-    """The candidate of the greatest or least value at some data.
-
-    ``whole`` has a value also where ``value``, the same in textbook form, has none at a pole.
-    """
+    """The candidate of the greatest or least value at some data."""
     best: Extreme | None = None
     for candidate in candidates:
         number = limit_at(candidate.value, drawn)
         if number is None or not is_near(region, candidate, drawn):
             continue
-        reached = reaches(region, whole, candidate, number, drawn)
-        if not reached and not tends(region, value, candidate, drawn):
+        reached = reaches(region, value.whole, candidate, number, drawn)
+        if not reached and not tends(region, value.textbook, candidate, drawn):
             continue
         if (
             best is None
@@ -677,7 +666,7 @@ def _winner(
         if not region._possible(values):
             continue
         try:
-            beyond = sign * sign_beyond(value, values, best[2])
+            beyond = sign * sign_beyond(value.textbook, values, best[2])
         except (UndefinedError, KeyError):
             continue
         if beyond > 0:

@@ -50,7 +50,7 @@ from restitution.solving.algebra.numbers import (
     sign_beyond,
 )
 from restitution.solving.equations.part import Outcome
-from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
+from restitution.solving.ranges.limits import TwoForms, breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, ROUNDS, Region
 from restitution.solving.ranges.zeros import zeros
 
@@ -96,22 +96,20 @@ Border = tuple[Enclosed, sp.Expr, bool]
 class Image:
     """The values of an expression: intervals, sought at a few values of the data, then proved.
 
-    ``whole`` has a value also where ``value``, the same in textbook form, has none at a pole.
     ``proof`` tells after `pieces` what it rests on.
     """
 
     def __init__(
         self,
         outcome: Outcome,
-        value: sp.Expr,
-        whole: sp.Expr,
+        value: TwoForms,
         free: list[str],
         angle: bool,
     ) -> None:
-        self.value, self.whole, self.free = value, whole, free
+        self.value, self.whole, self.free = value.textbook, value.whole, free
         self.region = Region(outcome, free[0], tuple(free[1:]))
         self.region.free = tuple(free[1:])  # to the value all of them matter
-        self.candidates = list(_candidates(outcome, value, free, self.region))
+        self.candidates = list(_candidates(outcome, self.value, free, self.region))
         self.angle = angle
         self.proof: Proof = "undecided"
         self.known: list[Point] = []  # places that are known to be possible

@@ -12,6 +12,7 @@ from restitution import exact
 from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 from restitution.solving.algebra.intervals import INFINITE
 from restitution.solving.algebra.numbers import Sample, at, sign_at
 from restitution.solving.ranges.zeros import zeros
@@ -24,6 +25,25 @@ LONG = 60
 
 
 _NO_VALUE = (sp.nan, sp.zoo, sp.oo, -sp.oo)
+
+
+@dataclass(frozen=True)
+class TwoForms:
+    """A value in textbook form, and as it is worked out.
+
+    The other form has a value also where an angle is one at which the textbook form has a pole.
+    """
+
+    textbook: sp.Expr
+    whole: sp.Expr
+
+    def put(self, values: Mapping[sp.Symbol, sp.Expr]) -> TwoForms:
+        """Both forms with values for letters."""
+        return TwoForms(self.textbook.xreplace(values), self.whole.xreplace(values))
+
+    def without_poles(self, symbol: sp.Symbol, roles: Mapping[str, Role]) -> sp.Expr:
+        """The textbook form, or the other one where that can jump as a letter varies."""
+        return self.whole if breaks(self.textbook, symbol, roles) else self.textbook
 
 
 def breaks(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -> list[sp.Expr]:
