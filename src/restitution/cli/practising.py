@@ -88,13 +88,16 @@ def _like(asked: Practising, file: str) -> int:
     for note in varied.notes:
         say(f"{shown_name(file)}: {note}")
     if asked.output is None and file != "-":
-        return _hold_like(file, problem, seed)
+        return _hold_like(file, problem, seed, varied.statement)
     write_file(asked.output or "-", varied.statement.encode(), [] if file == "-" else [file])
     return 0
 
 
-def _hold_like(file: str, problem: Problem, seed: int) -> int:
-    """Questions like a statement, one after the other, until the user ends it."""
+def _hold_like(file: str, problem: Problem, seed: int, statement: str) -> int:
+    """Questions like a statement, one after the other, until the user ends it.
+
+    ``statement`` is the first of them, of that seed.
+    """
     from restitution.practice.questions.generate import PracticeQuestion
     from restitution.practice.questions.session import GUIDE, Conversation
     from restitution.practice.questions.varying import variant
@@ -104,10 +107,11 @@ def _hold_like(file: str, problem: Problem, seed: int) -> int:
     try:
         while True:
             put(f"--- Like {shown_name(file)}, seed {seed} ---\n\n")
-            question = PracticeQuestion("", 0, seed, variant(problem, seed).statement)
+            question = PracticeQuestion("", 0, seed, statement)
             if Conversation(question, _line, _shown, width).hold() == "quit":
                 break
             seed += 1
+            statement = variant(problem, seed).statement
     except KeyboardInterrupt:
         put("\n")
     again = f"restitution practise --like {shown_name(file)} --seed {seed}"

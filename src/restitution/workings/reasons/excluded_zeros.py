@@ -6,18 +6,17 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.derivation import Link, Relation
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Letter, has_quantity, is_binary, walk
 from restitution.oracle.roles import REAL, Role
 from restitution.planning.writing.forms import factors
 
 
-def is_divided_by(letter: Letter, relation: Relation) -> bool:
-    """Whether a letter is a factor of what is divided by in a relation."""
-    sides = (side for links in relation.options for e in links for side in (e.left, e.right))
+def is_divided_by(divisor: Expression, sides: Iterable[Expression]) -> bool:
+    """Whether a tree is a factor of what is divided by in one of some trees."""
     below = (node.right for side in sides for node in walk(side) if is_binary(node, "/"))
-    return any(letter in factors(tree) for tree in below)
+    return any(divisor in factors(tree) for tree in below)
 
 
 def excludes_zero(
@@ -25,18 +24,17 @@ def excludes_zero(
 ) -> bool:
     """Whether one of some strict inequalities is seen not to hold where a letter is zero."""
     return any(
-        _fails_at_zero(letter.name, own.only[0].left, own.only[0].sign, own.only[0].right, roles)
+        _fails_at_zero(letter.name, own.only[0], roles)
         for own in inequalities
         if len(own.options) == 1 and len(own.only) == 1
     )
 
 
-def _fails_at_zero(
-    name: str, left: Expression, sign: str, right: Expression, roles: Mapping[str, Role]
-) -> bool:
-    if sign not in (">", "<") or has_quantity(left) or has_quantity(right):
+def _fails_at_zero(name: str, link: Link, roles: Mapping[str, Role]) -> bool:
+    sides = link.left, link.right
+    if link.sign not in (">", "<") or any(map(has_quantity, sides)):
         return False
-    a, b = (evaluate(side, lambda n: roles.get(n, REAL).symbol(n)) for side in (left, right))
-    gap = sp.sympify(a - b if sign == ">" else b - a, strict=True)
+    a, b = (evaluate(side, lambda n: roles.get(n, REAL).symbol(n)) for side in sides)
+    gap = sp.sympify(a - b if link.sign == ">" else b - a, strict=True)
     own = next((symbol for symbol in gap.free_symbols if symbol.name == name), None)
     return own is not None and sp.expand(gap.subs(own, 0)).is_nonpositive is True

@@ -203,15 +203,13 @@ class Known:
             return bound
         cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         if line.move.id == "monotone":
-            nodes = [node for own in cited for node in walk(own.only[-1].right)]
-            below = [e.right for e in nodes if is_binary(e, "/")]
-            divides = any(bound.left in factors(tree) for tree in below)
+            divides = is_divided_by(bound.left, [own.only[-1].right for own in cited])
         else:
             divides = (
                 line.move.id == "compare"
                 and isinstance(bound.left, Letter)
                 and isinstance(line.relation, Relation)
-                and is_divided_by(bound.left, line.relation)
+                and is_divided_by(bound.left, line.relation.trees)
                 and excludes_zero(bound.left, cited, self._roles)
             )
         return Link(bound.left, ">", bound.right) if divides else bound
